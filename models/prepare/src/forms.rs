@@ -109,6 +109,13 @@ impl<const N: usize> Form<N> {
         let difference = |k: usize| &self.whole[k] * &other.unit - &other.whole[k] * &self.unit;
         Self::over(std::array::from_fn(difference), &self.unit * &other.unit)
     }
+
+    /// The expression plus a constant.
+    pub fn raised(&self, constant: &BigRational) -> Self {
+        let mut whole = self.whole.each_ref().map(|v| v * constant.denom());
+        whole[N - 1] += &self.unit * constant.numer();
+        Self::over(whole, &self.unit * constant.denom())
+    }
 }
 
 impl LinearForm {
@@ -209,19 +216,6 @@ impl QuadraticForm {
         let zero = BigInt::zero;
         let [a, b, c] = form.whole.clone();
         Form::over([zero(), zero(), zero(), a, b, c], form.unit.clone())
-    }
-
-    /// The expression plus a constant.
-    pub fn raised(&self, constant: &BigRational) -> QuadraticForm {
-        let zero = BigRational::zero;
-        self.plus(&Form::of_array([
-            zero(),
-            zero(),
-            zero(),
-            zero(),
-            zero(),
-            constant.clone(),
-        ]))
     }
 
     /// The square of a first-degree expression.

@@ -34,7 +34,7 @@ pub(super) struct Ledger<'a> {
 }
 
 /// The first-degree words of an expression without second-degree terms.
-pub(super) fn linear(words: &Quadratic) -> Linear {
+fn linear(words: &Quadratic) -> Linear {
     Linear::new(words.d, words.e, words.f)
 }
 
@@ -65,11 +65,7 @@ impl<'a> Ledger<'a> {
         width: u32,
         range: Range,
     ) -> Result<Quadratic, PrepareError> {
-        let half = if guard == 0 {
-            integer(0)
-        } else {
-            power_of_two(guard - 1)
-        };
+        let half = integer(1 << guard >> 1);
         let scaled = exact.scaled(&power_of_two(guard)).raised(&half);
         let rounded = round_quadratic(&scaled, self.anchor)
             .map_err(|value| self.refusal(word, &value.abs(), width))?;

@@ -62,6 +62,7 @@ mod scene;
 pub mod screen_box;
 pub mod seams;
 pub mod shader;
+pub mod shapes;
 pub mod solids;
 mod unseen;
 pub mod volume;

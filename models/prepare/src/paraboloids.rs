@@ -4,18 +4,20 @@
 use super::context::Context;
 use super::error::PrepareError;
 use super::forms::{LinearForm, QuadraticForm};
-use super::ledger::{Ledger, linear};
+use super::ledger::Ledger;
 use super::perspective::ScreenQuadric;
 use super::prepared::PreparedParts;
 use super::projected::unseen_note;
 use super::screen_box::Region;
+use super::shapes::{CylinderShape, SphereShape};
 use imogene_algebra::rational::{fraction, integer, round_half_up, to_f64};
+use imogene_contract::words::NORMAL_LENGTH;
 use imogene_golden::object::curved_facet::CurvedFacetWords;
-use imogene_golden::object::cylinder::{CylinderShape, CylinderWords};
-use imogene_golden::object::paraboloid::{NORMAL_LENGTH, depth_guard, normal_guard, plane_guard};
+use imogene_golden::object::cylinder::CylinderWords;
+use imogene_golden::object::paraboloid::{depth_guard, normal_guard, plane_guard};
 use imogene_golden::object::quadric::ScreenBox;
 use imogene_golden::object::slot::ProcessorWords;
-use imogene_golden::object::sphere::{SphereShape, SphereWords};
+use imogene_golden::object::sphere::SphereWords;
 use imogene_golden::unit::normal::LINEAR_WIDTH;
 use imogene_scene::{FramedCylinder, FramedQuadric, FramedSphere, root};
 use num_rational::BigRational;
@@ -37,15 +39,13 @@ pub(super) fn prepare_sphere(
     let (format, full) = (&context.format, context.format.quadratic);
     let mut ledger = Ledger::new(&sphere.name, window, context);
     let on_box = ledger.on_box();
-    let form = QuadraticForm::of_array;
-    let contour = ledger.sign("outline", &form(shape.outline()), full)?;
-    let exact = form(shape.paraboloid());
+    let contour = ledger.sign("outline", &shape.outline(), full)?;
+    let exact = shape.paraboloid();
     let depth = ledger.value("depth", &exact, depth_guard(format), full, &on_box)?;
-    let across = shape.normal_across().map(LinearForm::of_array);
-    let deep = form(shape.normal_deep());
+    let ([x, y], deep) = (&shape.normal_across(), shape.normal_deep());
     let normal_guard = normal_guard(format);
     if as_facet {
-        let [x, y] = across.map(|n| QuadraticForm::of_linear(&n));
+        let [x, y] = [x, y].map(QuadraticForm::of_linear);
         let mut normal = |word, n| ledger.value(word, n, normal_guard, full, &on_box);
         let words = CurvedFacetWords {
             screen_box: window,
@@ -69,7 +69,6 @@ pub(super) fn prepare_sphere(
     // One count for each of the two roundings.
     ledger.prove("back depth", &(back + integer(2)), format.sum)?;
     let guard = LINEAR_WIDTH - format.normal;
-    let [x, y] = &across;
     let words = SphereWords {
         screen_box: window,
         contour,
@@ -114,30 +113,22 @@ pub(super) fn prepare_cylinder(
     let on_body = |form: &QuadraticForm| in_frame(form, &reach);
     let on_disc = |form: &QuadraticForm| in_frame(form, &disc_length);
     let mut ledger = Ledger::new(&cylinder.name, window, context);
-    let form = QuadraticForm::of_array;
-    let mut side = |exact| ledger.linear_sign("sides", &LinearForm::of_array(exact), plane);
-    let [a, b, c, d] = shape.sides();
+    let mut side = |exact| ledger.linear_sign("sides", exact, plane);
+    let [a, b, c, d] = &shape.sides();
     let sides = [side(a)?, side(b)?, side(c)?, side(d)?];
-    let [front, back] = shape.discs().map(form);
+    let [front, back] = &shape.discs();
     let discs = [
-        ledger.sign("outline of the front disc", &front, full)?,
-        ledger.sign("outline of the back disc", &back, full)?,
+        ledger.sign("outline of the front disc", front, full)?,
+        ledger.sign("outline of the back disc", back, full)?,
     ];
-    let body = form(shape.body());
-    let body = ledger.value(
-        "depth of the body",
-        &body,
-        depth_guard(format),
-        full,
-        &on_body,
-    )?;
+    let (body, guard) = (shape.body(), depth_guard(format));
+    let body = ledger.value("depth of the body", &body, guard, full, &on_body)?;
     let guard = normal_guard(format);
-    let mut normal = |exact| ledger.value("normal", &form(exact), guard, full, &on_body);
-    let [x, y, z] = shape.body_normal();
+    let mut normal = |exact| ledger.value("normal", exact, guard, full, &on_body);
+    let [x, y, z] = &shape.body_normal();
     let normal = [normal(x)?, normal(y)?, normal(z)?];
-    let disc = QuadraticForm::of_linear(&LinearForm::of_array(shape.disc()));
-    let guard = plane_guard(format);
-    let disc = linear(&ledger.value("depth of the disc", &disc, guard, plane, &on_disc)?);
+    let (disc, guard) = (shape.disc(), plane_guard(format));
+    let disc = ledger.linear_value("depth of the disc", &disc, guard, plane, &on_disc)?;
     let words = CylinderWords {
         screen_box: window,
         sides,

@@ -1,16 +1,16 @@
 //! The facet processor: a flat facet of three or four sides with Phong's interpolated normals (source: Chaillou,
 //! IV.2.2; Nyiri, 4.1.2).
 
-use super::paraboloid::{first_degree, one_face, plane_guard};
+use super::paraboloid::{one_face, plane_guard};
 use super::screen_box::ScreenBox;
 use super::words::{Expression, Object, ObjectPixel, Parts, Words};
 use crate::format::Format;
 use crate::unit::depth_interval::FACE_PLANE;
 use crate::unit::normal::LINEAR_WIDTH;
 use crate::unit::pe1::Linear;
-use imogene_algebra::rational::{fraction, integer};
+use imogene_algebra::rational::{fraction, integer, power_of_two, round_half_up};
 use num_rational::BigRational;
-use num_traits::Zero;
+use num_traits::{ToPrimitive, Zero};
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
@@ -116,6 +116,17 @@ fn linear_value(
         }
     }
     Ok(exact)
+}
+
+/// An expression in units of `2^-guard`, rounded, half a unit of the result added: the shift at the end then rounds to
+/// nearest.
+fn first_degree(exact: &[BigRational; 3], guard: u32) -> Linear {
+    let unit = power_of_two(guard);
+    let [a, b, c] = exact.each_ref().map(|value| {
+        let word = round_half_up(&(value * &unit)).to_i128();
+        word.expect("a coefficient word has fewer than 128 bits")
+    });
+    Linear::new(a, b, c + (1 << guard >> 1))
 }
 
 impl FacetWords {

@@ -32,46 +32,6 @@ pub struct ContourPlane {
     pub normal: [i16; 3],
 }
 
-/// Which side of a plane is kept.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kept {
-    /// Depths behind the plane: the front plane.
-    Behind,
-    /// Depths before it: the back plane.
-    Before,
-}
-
-impl ContourPlane {
-    /// The words of a plane of depth `depth` that cuts the quadric `f1 -+ sqrt(f2)`, in the units of the depths:
-    /// conic `f2 - (depth - f1)^2` and line `f1 - depth`, or its negative for the back plane.
-    pub fn new(
-        depth: Linear,
-        f1: &Linear,
-        f2: &Quadratic,
-        kept: Kept,
-        normal: [i16; 3],
-    ) -> ContourPlane {
-        let (p, q, r) = (depth.a - f1.a, depth.b - f1.b, depth.c - f1.c);
-        let sign = match kept {
-            Kept::Behind => -1,
-            Kept::Before => 1,
-        };
-        ContourPlane {
-            depth,
-            conic: Quadratic::new([
-                f2.a - p * p,
-                f2.b - q * q,
-                f2.c - 2 * p * q,
-                f2.d - 2 * p * r,
-                f2.e - 2 * q * r,
-                f2.f - r * r,
-            ]),
-            polar: Linear::new(sign * p, sign * q, sign * r),
-            normal,
-        }
-    }
-}
-
 /// All coefficient words of one object for one zone. f1 and f2 may have guard bits, which the core drops; conics and
 /// lines have a scale of their own.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]

@@ -2,33 +2,15 @@
 //! IV.2.4).
 
 use super::facet::linear_component;
-use super::paraboloid::*;
+use super::paraboloid::{depth_guard, normal_guard};
 use super::screen_box::ScreenBox;
 use super::words::{Expression, Object, ObjectPixel, Parts, Words};
 use crate::format::{Format, wrap64};
 use crate::unit::depth_interval::{Class, FACE_NEAR_END, halves};
-use crate::unit::normal::{LINEAR_WIDTH, NEAR_END_NORMAL};
+use crate::unit::normal::NEAR_END_NORMAL;
 use crate::unit::pe1::Linear;
 use crate::unit::pe2::Quadratic;
-use imogene_algebra::rational::{integer, round_half_up};
-use num_rational::BigRational;
-use num_traits::ToPrimitive;
 use serde::{Deserialize, Serialize};
-
-/// A sphere of an orthographic view: centre in pixels and depth words, radius in pixels.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct SphereShape {
-    /// Column of the centre.
-    pub x: BigRational,
-    /// Line of the centre.
-    pub y: BigRational,
-    /// Depth of the centre in depth words.
-    pub z: BigRational,
-    /// Radius in pixels, positive.
-    pub radius: BigRational,
-    /// Depth words per pixel, positive.
-    pub scale: BigRational,
-}
 
 /// All coefficient words of one sphere for one zone.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -45,66 +27,6 @@ pub struct SphereWords {
     pub normal: [Linear; 2],
     /// Normal in z, F bits.
     pub normal_z: Quadratic,
-}
-
-impl SphereShape {
-    /// The paraboloid's front depth as an expression in pixels: `z - s (a R - b r^2 / R)`.
-    pub fn paraboloid(&self) -> Exact {
-        let (a, b) = bulge();
-        let factor = b * &self.scale / &self.radius;
-        let top = &self.z - a * &self.radius * &self.scale;
-        self.round(&factor, top)
-    }
-
-    /// `factor ((x - x1)^2 + (y - y1)^2) + top`.
-    fn round(&self, factor: &BigRational, top: BigRational) -> Exact {
-        let minus_two = integer(-2) * factor;
-        let far = factor * (&self.x * &self.x + &self.y * &self.y);
-        [
-            factor.clone(),
-            factor.clone(),
-            integer(0),
-            &minus_two * &self.x,
-            &minus_two * &self.y,
-            top + far,
-        ]
-    }
-
-    /// Not negative inside the outline: `R^2 - r^2`.
-    pub fn outline(&self) -> Exact {
-        self.round(&integer(-1), &self.radius * &self.radius)
-    }
-
-    /// The normal's parts along columns and along lines, of length [`NORMAL_LENGTH`].
-    pub fn normal_across(&self) -> [[BigRational; 3]; 2] {
-        let slope = integer(NORMAL_LENGTH) / &self.radius;
-        [
-            [slope.clone(), integer(0), -&slope * &self.x],
-            [integer(0), slope.clone(), -&slope * &self.y],
-        ]
-    }
-
-    /// The normal's part along the depth, by the same paraboloid as the depth.
-    pub fn normal_deep(&self) -> Exact {
-        let (high, low) = bulge();
-        let length = integer(NORMAL_LENGTH);
-        let deep = low * &length / (&self.radius * &self.radius);
-        self.round(&deep, -high * length)
-    }
-
-    /// The coefficient words.
-    pub fn words(&self, screen_box: ScreenBox, format: &Format) -> SphereWords {
-        let across = |exact: &[BigRational; 3]| first_degree(exact, LINEAR_WIDTH - format.normal);
-        let sum = round_half_up(&(integer(2) * &self.z)).to_i64();
-        SphereWords {
-            screen_box,
-            contour: Quadratic::new(contour(&self.outline())),
-            front: second_degree(&self.paraboloid(), depth_guard(format)),
-            sum: sum.expect("twice a depth word has fewer than 64 bits"),
-            normal: self.normal_across().each_ref().map(across),
-            normal_z: second_degree(&self.normal_deep(), normal_guard(format)),
-        }
-    }
 }
 
 impl Words for SphereWords {

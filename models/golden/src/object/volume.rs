@@ -16,13 +16,6 @@ use crate::unit::pe2::Quadratic;
 use crate::unit::quadric_pe::QuadricDepths;
 use serde::{Deserialize, Serialize};
 
-/// Planes of a quadric volume: the shadow of a quadric with three cut planes needs four (the polar plane of the source,
-/// and one through the source for each cut plane).
-pub const QUADRIC_PLANES: usize = 4;
-/// Planes of the shadow of a three-sided facet: its own and one through the source for each side.
-pub const FACET_PLANES: usize = 4;
-/// Planes of the shadow of a polyhedron of six faces.
-pub const POLYHEDRON_PLANES: usize = 10;
 /// Greatest shift of a volume's quadric.
 pub const MAX_SHIFT: u8 = 8;
 /// Light sources that a pixel has flags for.

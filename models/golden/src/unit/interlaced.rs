@@ -8,17 +8,6 @@
 use super::pe2::Quadratic;
 use crate::format::wrap;
 
-/// Clocks between two lines of a progressive picture.
-pub const PROGRESSIVE_LINE: u64 = LINE_STEP + LINE_ENTRY;
-/// Clocks between two lines of a field: the line step runs twice.
-pub const INTERLACED_LINE: u64 = 2 * LINE_STEP + LINE_ENTRY;
-/// Clocks that restore, at the start of a field, the three words that lines change.
-pub const RESTORE: u64 = 6;
-/// Clocks of a line step.
-const LINE_STEP: u64 = 12;
-/// Clocks from the last line step to the first pixel.
-const LINE_ENTRY: u64 = 3;
-
 /// Where a register gets its next value from.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Next {

@@ -5,7 +5,6 @@
 //! hold exactly the four words of four PE1. What is added to a PE2 is these two ANDs, one selection of an addend, and
 //! the decision.
 
-use super::pe1::Linear;
 use super::pe2::PreconditionedWords;
 use crate::format::wrap;
 
@@ -17,48 +16,11 @@ pub const LANES: usize = 4;
 pub struct ProgrammableWords {
     /// Four lanes instead of one second-degree expression.
     pub split: bool,
-    /// The words; in split mode two words of n bits each, the lane of the lower number in the low half.
+    /// The words; in split mode two words of n bits each, the lane of the lower number in the low half: the constants
+    /// of lanes 0 and 1 in f, their factors of y in i0 and of x in 2b, those of lanes 2 and 3 in p0, c and 2a.
     pub words: PreconditionedWords,
     /// Lanes that the decision asks, in split mode.
     pub used: [bool; LANES],
-}
-
-impl ProgrammableWords {
-    /// The words for a second-degree expression.
-    pub const fn quadratic(words: PreconditionedWords) -> ProgrammableWords {
-        ProgrammableWords {
-            split: false,
-            words,
-            used: [false; LANES],
-        }
-    }
-
-    /// The words for up to four first-degree expressions of n bits; a lane without one is not asked.
-    pub fn linear(lanes: &[Option<Linear>; LANES], half: u32) -> ProgrammableWords {
-        let word = |low: usize, high: usize, part: fn(&Linear) -> i128| {
-            let of = |lane: usize| lanes[lane].as_ref().map_or(0, part);
-            join(of(low), of(high), half)
-        };
-        ProgrammableWords {
-            split: true,
-            // Lanes 0 and 1 in the adder of the value, 2 and 3 in that of the increment.
-            words: PreconditionedWords {
-                f: word(0, 1, |l| l.c),
-                i0: word(0, 1, |l| l.b),
-                b2: word(0, 1, |l| l.a),
-                p0: word(2, 3, |l| l.c),
-                c: word(2, 3, |l| l.b),
-                a2: word(2, 3, |l| l.a),
-            },
-            used: lanes.each_ref().map(Option::is_some),
-        }
-    }
-}
-
-/// Two words of `half` bits in one.
-const fn join(low: i128, high: i128, half: u32) -> i128 {
-    let mask = (1 << half) - 1;
-    wrap((high & mask) << half | (low & mask), 2 * half)
 }
 
 /// The adder: 2n bits, its carry cut in the middle if `split`.
@@ -101,9 +63,6 @@ pub struct Programmable {
     /// V of a PE2; values of lanes 0 and 1.
     value: i128,
 }
-
-/// Latency of the values in clocks; the decision is one later.
-pub const LATENCY: u32 = 1;
 
 impl Programmable {
     /// First pixel of a zone: load the words; `half` is n, at most 32.

@@ -2,13 +2,45 @@
 
 use crate::common::*;
 use imogene_golden::object::words::Words;
-use imogene_golden::unit::interlaced::{INTERLACED_LINE, MemoryPe2, PROGRESSIVE_LINE, RESTORE};
+use imogene_golden::unit::interlaced::MemoryPe2;
 use imogene_golden::unit::lattice::Lattice;
 use imogene_golden::unit::pe1::Pe1;
-use imogene_golden::unit::pe2::Pe2;
+use imogene_golden::unit::pe2::{Pe2, PreconditionedWords};
 use imogene_golden::unit::programmable::*;
 
 const WIDTH: usize = 9;
+/// Clocks between two lines of a progressive picture: a line step, and three to the first pixel.
+const PROGRESSIVE_LINE: u64 = 15;
+/// Clocks between two lines of a field: the line step runs twice.
+const INTERLACED_LINE: u64 = 27;
+/// Clocks that restore, at the start of a field, the three words that lines change.
+const RESTORE: u64 = 6;
+
+/// Two words of `half` bits in one.
+fn join(low: i128, high: i128, half: u32) -> i128 {
+    let mask = (1 << half) - 1;
+    wrap((high & mask) << half | (low & mask), 2 * half)
+}
+
+/// The words for up to four first-degree expressions of n bits; a lane without one is not asked.
+fn split(lanes: &[Option<Linear>; LANES], half: u32) -> ProgrammableWords {
+    let word = |low: usize, high: usize, part: fn(&Linear) -> i128| {
+        let of = |lane: usize| lanes[lane].as_ref().map_or(0, part);
+        join(of(low), of(high), half)
+    };
+    ProgrammableWords {
+        split: true,
+        words: PreconditionedWords {
+            f: word(0, 1, |l| l.c),
+            i0: word(0, 1, |l| l.b),
+            b2: word(0, 1, |l| l.a),
+            p0: word(2, 3, |l| l.c),
+            c: word(2, 3, |l| l.b),
+            a2: word(2, 3, |l| l.a),
+        },
+        used: lanes.each_ref().map(Option::is_some),
+    }
+}
 
 fn line(pe: &mut MemoryPe2) -> Vec<i128> {
     pe.line_start();
@@ -30,7 +62,6 @@ fn memory_pe2_vectors_of_the_specification() {
     assert_eq!(line(&mut pe)[..4], [28, 32, 40, 52]);
     assert_eq!(line(&mut pe)[..4], [49, 54, 63, 76]);
     assert_eq!(pe.clocks(), 3 * (PROGRESSIVE_LINE + WIDTH as u64));
-    assert_eq!((PROGRESSIVE_LINE, INTERLACED_LINE), (15, 27));
 }
 
 proptest! {
@@ -112,7 +143,11 @@ proptest! {
     #[test]
     fn programmable_pe_is_a_pe2(q in any_quadratic(), half in 4u32..=32) {
         let width = 2 * half;
-        let words = ProgrammableWords::quadratic(q.preconditioned(width));
+        let words = ProgrammableWords {
+            split: false,
+            words: q.preconditioned(width),
+            used: [false; LANES],
+        };
         let mut pe = Programmable::start(&words, half);
         each(&mut pe, |x, y, pixel| {
             let value = q.wrapped_at(x, y, width);
@@ -126,7 +161,7 @@ proptest! {
         lanes in [prop::option::of(any_linear()), prop::option::of(any_linear()), prop::option::of(any_linear()), prop::option::of(any_linear())],
         half in 4u32..=32
     ) {
-        let mut pe = Programmable::start(&ProgrammableWords::linear(&lanes, half), half);
+        let mut pe = Programmable::start(&split(&lanes, half), half);
         each(&mut pe, |x, y, pixel| {
             let values: [i128; LANES] =
                 std::array::from_fn(|i| lanes[i].map_or(0, |l| l.wrapped_at(x, y, half)));
@@ -172,7 +207,7 @@ fn mask_of_a_triangle() {
     let [left, top, right] =
         [[1, 0, -2], [0, 1, -1], [-1, -1, 7]].map(|[a, b, c]| Linear::new(a, b, c));
     let lanes = [Some(left), Some(top), None, Some(right)];
-    let mut pe = Programmable::start(&ProgrammableWords::linear(&lanes, 24), 24);
+    let mut pe = Programmable::start(&split(&lanes, 24), 24);
     let mut inside = Vec::new();
     each(&mut pe, |x, y, pixel| {
         if pixel.inside {

@@ -2,12 +2,13 @@
 //! exact values.
 
 use crate::common::*;
-use imogene_algebra::rational::{fraction, integer};
-use imogene_golden::object::curved_facet::{CurvedFacetWords, other_side, side};
+use imogene_algebra::rational::{fraction, integer, power_of_two, round_half_up};
+use imogene_algebra::whole::primitive;
+use imogene_golden::object::curved_facet::CurvedFacetWords;
 use imogene_golden::object::facet::{Corner, FACE_FACET, FacetError, FacetWords, SUBPIXEL};
-use imogene_golden::object::paraboloid::{Exact, depth_guard, plane_guard};
+use imogene_golden::object::paraboloid::{depth_guard, normal_guard, plane_guard};
 use num_rational::BigRational;
-use num_traits::Signed;
+use num_traits::{Signed, ToPrimitive};
 
 const F: Format = Format::BASE;
 const SIDE: i64 = 26;
@@ -21,6 +22,24 @@ fn corner(x: i64, y: i64, z: i64) -> Corner {
         z: integer(z),
         normal: [x as i16, -7 * y as i16, -20_000],
     }
+}
+
+/// In units of `2^-guard`, rounded, half a unit of the result added.
+fn second_degree(exact: &Exact, guard: u32) -> Quadratic {
+    let word = |v: &BigRational| round_half_up(&(v * power_of_two(guard))).to_i128().unwrap();
+    let [a, b, c, d, e, f] = exact.each_ref().map(word);
+    Quadratic::new([a, b, c, d, e, f + (1 << guard >> 1)])
+}
+
+/// The word of a side: its sign is that of the exact expression, not negative on the facet.
+fn side(exact: &Exact) -> Quadratic {
+    second_degree(&primitive(exact.clone()), 0)
+}
+
+/// The same side for the neighbour: `-q - 1` is not negative exactly where q is negative, so no pixel is in both or in
+/// neither.
+fn other_side(q: &Quadratic) -> Quadratic {
+    Quadratic::new([-q.a, -q.b, -q.c, -q.d, -q.e, -q.f - 1])
 }
 
 fn flat(words: &FacetWords, mut visit: impl FnMut(i64, i64, ObjectPixel)) {
@@ -152,7 +171,12 @@ proptest! {
         for cell in 0..8 {
             let within = |i: usize| cell >> i & 1 == 0;
             let chosen = (0..3).map(|i| if within(i) { sides[i] } else { other_side(&sides[i]) });
-            let words = CurvedFacetWords::new(chosen.collect(), &depth, [&normal; 3], SCREEN, &F);
+            let words = CurvedFacetWords {
+                screen_box: SCREEN,
+                sides: chosen.collect(),
+                depth: second_degree(&depth, depth_guard(&F)),
+                normal: [second_degree(&normal, normal_guard(&F)); 3],
+            };
             for (x, y) in square(SIDE) {
                 let pixel = words.at(x, y, &F);
                 let inside = (0..3).all(|i| within(i) != value_at(&exact[i], x, y).is_negative());

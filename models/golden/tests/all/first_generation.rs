@@ -1,13 +1,38 @@
 //! The first generation against exact cuts and against the second.
 
 use crate::common::*;
-use imogene_golden::object::first_generation::{ContourPlane, FirstGenerationWords, Kept, latency};
+use imogene_golden::object::first_generation::{ContourPlane, FirstGenerationWords, latency};
 use imogene_golden::unit::depth_interval::FACE_NEAR_END;
 use num_bigint::BigInt;
 use num_traits::Signed;
 
 const SIDE: i64 = 18;
 const F: Format = Format::BASE;
+
+/// The words of a plane of depth `depth` that cuts the quadric `f1 -+ sqrt(f2)`, in the units of the depths: conic
+/// `f2 - (depth - f1)^2`, and line `depth - f1` times the sign, which is negative for the front plane.
+fn contours(
+    depth: Linear,
+    f1: &Linear,
+    f2: &Quadratic,
+    sign: i128,
+    normal: [i16; 3],
+) -> ContourPlane {
+    let (p, q, r) = (depth.a - f1.a, depth.b - f1.b, depth.c - f1.c);
+    ContourPlane {
+        depth,
+        conic: Quadratic::new([
+            f2.a - p * p,
+            f2.b - q * q,
+            f2.c - 2 * p * q,
+            f2.d - 2 * p * r,
+            f2.e - 2 * q * r,
+            f2.f - r * r,
+        ]),
+        polar: Linear::new(sign * p, sign * q, sign * r),
+        normal,
+    }
+}
 
 /// A quadric of integer words, two parallel planes `thickness` apart, and the same for the second generation.
 fn object(
@@ -30,8 +55,8 @@ fn object(
         f1,
         f2,
         normal,
-        front: ContourPlane::new(front, &f1, &f2, Kept::Behind, normals[0]),
-        back: ContourPlane::new(back, &f1, &f2, Kept::Before, normals[1]),
+        front: contours(front, &f1, &f2, -1, normals[0]),
+        back: contours(back, &f1, &f2, 1, normals[1]),
     };
     let second = QuadricWords {
         class: if patch { Class::Patch } else { Class::Side },

@@ -7,6 +7,5 @@ mod first_generation;
 mod format;
 mod machine;
 mod object;
-mod paraboloids;
 mod unit;
 mod widths;

@@ -11,6 +11,7 @@ mod guards;
 mod kind_errors;
 mod light_errors;
 mod located;
+mod paraboloids;
 mod refusals;
 mod remedies;
 mod rounding;

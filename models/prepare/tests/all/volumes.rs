@@ -3,10 +3,7 @@
 use imogene_algebra::rational::{integer, round_half_up};
 use imogene_golden::format::Format;
 use imogene_golden::object::quadric::ScreenBox;
-use imogene_golden::object::volume::{
-    FACET_PLANES, POLYHEDRON_PLANES, QUADRIC_PLANES, VolumeKind, VolumePlane, VolumeQuadric,
-    VolumeWords,
-};
+use imogene_golden::object::volume::{VolumeKind, VolumePlane, VolumeQuadric, VolumeWords};
 use imogene_golden::unit::cut_plane::PlaneKind;
 use imogene_golden::unit::depth_interval::Class;
 use imogene_golden::unit::pe1::Linear;
@@ -19,6 +16,14 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive};
 use proptest::prelude::*;
+
+/// Planes of a quadric volume: the shadow of a quadric with three cut planes needs four (the polar plane of the source,
+/// and one through the source for each cut plane).
+const QUADRIC_PLANES: usize = 4;
+/// Planes of the shadow of a three-sided facet: its own and one through the source for each side.
+const FACET_PLANES: usize = 4;
+/// Planes of the shadow of a polyhedron of six faces.
+const POLYHEDRON_PLANES: usize = 10;
 
 const SIDE: i64 = 16;
 const F: Format = Format::BASE;

@@ -130,8 +130,10 @@ pub struct ZoneMachineModel {
     /// The transparent objects of the zone that was shown last.
     shown: Vec<ShownLayer>,
     volumes: Vec<Registers>,
-    materials: BTreeMap<u16, u64>,
-    shading: BTreeMap<u16, u64>,
+    /// Indices of the materials of objects, as the stream gave them.
+    pub materials: BTreeMap<u16, u64>,
+    /// Words of the shading processor, by address.
+    pub shading: BTreeMap<u16, u64>,
     origin: [u16; 2],
     size: [u16; 2],
     progress: Progress,
@@ -158,16 +160,6 @@ impl ZoneMachineModel {
             samples: machine.samples,
             buffer: vec![],
         }
-    }
-
-    /// Index of the material of an object, as the stream gave it; 0 before.
-    pub fn material(&self, object: u16) -> u64 {
-        self.materials.get(&object).copied().unwrap_or(0)
-    }
-
-    /// Words of the shading processor, by address.
-    pub fn shading(&self) -> &BTreeMap<u16, u64> {
-        &self.shading
     }
 
     /// One beat; the pixels that it shows go to `sink`.

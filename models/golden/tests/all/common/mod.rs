@@ -3,7 +3,6 @@
 use imogene_algebra::rational::{fraction, integer};
 use imogene_contract::{MachineWords, RootForm};
 pub use imogene_golden::format::{Format, wrap};
-pub use imogene_golden::object::paraboloid::Exact;
 pub use imogene_golden::object::quadric::{ObjectPixel, PlaneWords, QuadricWords, ScreenBox};
 pub use imogene_golden::object::volume::{VolumeKind, VolumePlane, VolumeQuadric, VolumeWords};
 pub use imogene_golden::object::words::Object;
@@ -65,6 +64,9 @@ pub fn any_linear() -> impl Strategy<Value = Linear> {
 pub fn any_quadratic() -> impl Strategy<Value = Quadratic> {
     any::<[i64; 6]>().prop_map(|words| Quadratic::new(words.map(i128::from)))
 }
+
+/// An expression of degree two with rational coefficients, in the order of [`Quadratic`].
+pub type Exact = [BigRational; 6];
 
 /// Value of an exact expression at a pixel.
 pub fn value_at([a, b, c, d, e, f]: &Exact, x: i64, y: i64) -> BigRational {

@@ -1,9 +1,58 @@
 use imogene_golden::machine::card_decider;
-use imogene_golden::machine::card_decider::CardDecider;
-use imogene_golden::machine::decider::{Visible, decide};
-use imogene_golden::machine::visibility_chain::{VisibilityChain, latency, starts};
+use imogene_golden::machine::decider::{Visible, decide, visibility_node};
+use imogene_golden::machine::skew::Skewed;
+use imogene_golden::machine::visibility_chain::{latency, starts};
 use proptest::prelude::*;
 
+/// The chain, cell by cell; a cell is empty until something comes to it.
+#[derive(Clone, Debug)]
+struct VisibilityChain {
+    cells: Vec<Option<Visible>>,
+}
+
+impl VisibilityChain {
+    /// A chain past so many processors.
+    fn new(inputs: usize) -> VisibilityChain {
+        VisibilityChain {
+            cells: vec![None; inputs],
+        }
+    }
+
+    /// One clock: what the processors hand on in it; what the last cell holds after it, if a pixel came all the way.
+    fn clock(&mut self, inputs: &[Visible]) -> Option<Visible> {
+        for i in (1..self.cells.len()).rev() {
+            self.cells[i] = self.cells[i - 1].map(|nearest| visibility_node(nearest, inputs[i]));
+        }
+        self.cells[0] = inputs.first().copied();
+        *self.cells.last()?
+    }
+}
+
+/// The chains of all cards; the tree behind them takes some clocks more.
+#[derive(Clone, Debug)]
+struct CardDecider {
+    processors: usize,
+    chains: Vec<VisibilityChain>,
+}
+
+impl CardDecider {
+    /// So many cards of so many processors.
+    fn new(processors: usize, cards: usize) -> CardDecider {
+        CardDecider {
+            processors,
+            chains: vec![VisibilityChain::new(processors); cards],
+        }
+    }
+
+    /// One clock: what the processors hand on in it; what the tree is given after it, joined.
+    fn clock(&mut self, inputs: &[Visible]) -> Option<Visible> {
+        let cards = self.chains.iter_mut().zip(inputs.chunks(self.processors));
+        // Every card has its clock, also when another has nothing to hand on.
+        let nearest: Vec<Option<Visible>> = cards.map(|(chain, card)| chain.clock(card)).collect();
+        let nearest: Option<Vec<Visible>> = nearest.into_iter().collect();
+        nearest.map(|list| decide(&list))
+    }
+}
 /// Clocks of inputs `starts[i]` late each for the pixels; what is between holds the last object.
 fn skewed(pixels: &[Vec<Visible>], starts: &[usize]) -> Vec<Vec<Visible>> {
     let clocks = pixels.len() + starts.iter().max().unwrap();
@@ -71,7 +120,7 @@ proptest! {
             prop_assert_eq!(&aligned, &expected);
 
             // The rule for the skew is what puts whole pixels together.
-            let mut whole = imogene_golden::machine::visibility_chain::pixels(12);
+            let mut whole = Skewed::new(starts(12));
             let rows = skewed(order, &starts(12));
             let together: Vec<_> = rows.into_iter().filter_map(|row| whole.push(row)).collect();
             prop_assert_eq!(&together, order);

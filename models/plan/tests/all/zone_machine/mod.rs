@@ -384,10 +384,10 @@ fn the_last_beat_and_the_last_pixel_say_so() {
         (31, 0, 0, 1)
     );
     for id in 0..objects as u16 {
-        assert_eq!(model.material(id), u64::from(id) * 7 % 256);
+        assert_eq!(model.materials[&id], u64::from(id) * 7 % 256);
     }
     assert_eq!(
-        model.shading().iter().collect::<Vec<_>>(),
+        model.shading.iter().collect::<Vec<_>>(),
         [(&3, &0xffff_ffff), (&700, &5)]
     );
 }

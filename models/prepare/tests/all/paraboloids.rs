@@ -1,12 +1,89 @@
 //! Sphere and cylinder by paraboloids: exact outlines, and the errors of depth that the source accepts.
 
-use crate::common::*;
-use imogene_algebra::rational::{fraction, integer, to_f64};
-use imogene_golden::object::cylinder::{CylinderShape, FACE_DISC};
-use imogene_golden::object::paraboloid::{depth_guard, plane_guard};
-use imogene_golden::object::sphere::SphereShape;
+use imogene_algebra::rational::{fraction, integer, power_of_two, to_f64};
+use imogene_algebra::whole::primitive;
+use imogene_golden::format::Format;
+use imogene_golden::object::cylinder::{CylinderWords, FACE_DISC};
+use imogene_golden::object::paraboloid::{depth_guard, normal_guard, plane_guard};
+use imogene_golden::object::quadric::{ObjectPixel, ScreenBox};
+use imogene_golden::object::sphere::SphereWords;
+use imogene_golden::object::words::Object;
+use imogene_golden::unit::normal::LINEAR_WIDTH;
+use imogene_golden::unit::pe1::Linear;
+use imogene_golden::unit::pe2::Quadratic;
+use imogene_prepare::forms::{LinearForm, QuadraticForm};
+use imogene_prepare::rounding::{Anchor, round_linear, round_quadratic};
+use imogene_prepare::shapes::{CylinderShape, SphereShape};
 use num_rational::BigRational;
-use num_traits::Signed;
+use num_traits::{Signed, ToPrimitive};
+
+/// In units of `2^-guard`, half a unit of the result added.
+fn second_degree(exact: &QuadraticForm, guard: u32) -> Quadratic {
+    let scaled = exact.scaled(&power_of_two(guard));
+    round_quadratic(&scaled.raised(&integer(1 << guard >> 1)), Anchor::ORIGIN).unwrap()
+}
+
+/// The same of three coefficients.
+fn first_degree(exact: &LinearForm, guard: u32) -> Linear {
+    let scaled = exact.scaled(&power_of_two(guard));
+    round_linear(&scaled.raised(&integer(1 << guard >> 1)), Anchor::ORIGIN).unwrap()
+}
+
+/// Whole numbers without a common divisor: the sign is exact.
+fn contour(exact: &QuadraticForm) -> Quadratic {
+    let whole = QuadraticForm::of_array(primitive(exact.factors()));
+    round_quadratic(&whole, Anchor::ORIGIN).unwrap()
+}
+
+fn sphere_words(shape: &SphereShape, screen_box: ScreenBox, format: &Format) -> SphereWords {
+    let across = |exact| first_degree(&exact, LINEAR_WIDTH - format.normal);
+    SphereWords {
+        screen_box,
+        contour: contour(&shape.outline()),
+        front: second_degree(&shape.paraboloid(), depth_guard(format)),
+        sum: (integer(2) * &shape.z).round().to_i64().unwrap(),
+        normal: shape.normal_across().map(across),
+        normal_z: second_degree(&shape.normal_deep(), normal_guard(format)),
+    }
+}
+
+fn cylinder_words(shape: &CylinderShape, screen_box: ScreenBox, format: &Format) -> CylinderWords {
+    let side = |exact: LinearForm| {
+        let whole = LinearForm::of_array(primitive(exact.factors()));
+        round_linear(&whole, Anchor::ORIGIN).unwrap()
+    };
+    let normal = |exact| second_degree(&exact, normal_guard(format));
+    CylinderWords {
+        screen_box,
+        sides: shape.sides().map(side),
+        discs: shape.discs().each_ref().map(contour),
+        body: second_degree(&shape.body(), depth_guard(format)),
+        normal: shape.body_normal().map(normal),
+        disc: first_degree(&shape.disc(), plane_guard(format)),
+        disc_normal: shape.disc_normal(),
+    }
+}
+
+/// The pixels of a square, line by line.
+fn square(side: i64) -> impl Iterator<Item = (i64, i64)> {
+    (0..side).flat_map(move |y| (0..side).map(move |x| (x, y)))
+}
+
+/// Value of an exact expression at a pixel.
+fn value_at(exact: &QuadraticForm, x: i64, y: i64) -> BigRational {
+    exact.at(&integer(x), &integer(y))
+}
+
+/// Half a count of the result, and what rounding six coefficients to `2^-guard` can do at a pixel.
+fn rounding_bound(x: i64, y: i64, guard: u32) -> BigRational {
+    let counts = x * x + y * y + x * y + x + y + 1;
+    fraction(1, 2) + fraction(counts, 2 << guard)
+}
+
+/// The same of three coefficients.
+fn linear_bound(x: i64, y: i64, guard: u32) -> BigRational {
+    fraction(1, 2) + fraction(x + y + 1, 2 << guard)
+}
 
 fn screen(width: i64, height: i64) -> ScreenBox {
     ScreenBox::of([0, width - 1], [0, height - 1])
@@ -24,7 +101,7 @@ fn shape(x: BigRational, y: BigRational, radius: BigRational) -> SphereShape {
 }
 
 fn sphere_picture(shape: &SphereShape, side: i64, mut visit: impl FnMut(i64, i64, ObjectPixel)) {
-    let words = shape.words(screen(side, side), &Format::BASE);
+    let words = sphere_words(shape, screen(side, side), &Format::BASE);
     for (x, y) in square(side) {
         visit(x, y, words.at(x, y, &Format::BASE));
     }
@@ -133,9 +210,9 @@ fn sphere_coefficients_of_the_specification() {
         radius: integer(6),
         scale: integer(256),
     };
-    let whole = shape.paraboloid().map(|v| to_f64(&v).round());
+    let whole = shape.paraboloid().factors().map(|v| to_f64(&v).round());
     assert_eq!(whole, [31.0, 31.0, 0.0, -503.0, -503.0, 28_038.0]);
-    let words = shape.words(screen(16, 16), &Format::BASE);
+    let words = sphere_words(&shape, screen(16, 16), &Format::BASE);
     let row = (1..=16).map(|x| words.contour.wrapped_at(x, 8, 48));
     let expected = [
         -13, 0, 11, 20, 27, 32, 35, 36, 35, 32, 27, 20, 11, 0, -13, -28,
@@ -211,7 +288,7 @@ fn cylinder_outline_disc_and_body() {
 
 fn check_cylinder(shape: &CylinderShape, side: i64) {
     let format = Format::BASE;
-    let words = shape.words(screen(side, side), &format);
+    let words = cylinder_words(shape, screen(side, side), &format);
     let body = shape.body();
     let (mut discs, mut bodies) = (0, 0);
     for (x, y) in square(side) {
