@@ -15,10 +15,7 @@ pub fn integer(value: i64) -> BigRational {
 }
 
 /// The fraction `numerator / denominator`.
-///
-/// # Panics
-///
-/// If `denominator` is zero.
+/// Panics if `denominator` is zero.
 pub fn fraction(numerator: i64, denominator: i64) -> BigRational {
     BigRational::new(BigInt::from(numerator), BigInt::from(denominator))
 }
@@ -27,10 +24,7 @@ pub fn fraction(numerator: i64, denominator: i64) -> BigRational {
 /// it.
 ///
 /// Decimals of up to 15 significant digits survive the passage through `f64` unchanged.
-///
-/// # Panics
-///
-/// If `value` is not finite.
+/// Panics if `value` is not finite.
 pub fn from_decimal(value: f64) -> BigRational {
     assert!(
         value.is_finite(),
@@ -54,10 +48,7 @@ pub fn from_decimal(value: f64) -> BigRational {
 }
 
 /// The exact binary value of `value`: 0.1 gives 3602879701896397/2^55.
-///
-/// # Panics
-///
-/// If `value` is not finite.
+/// Panics if `value` is not finite.
 pub fn from_f64_exact(value: f64) -> BigRational {
     BigRational::from_f64(value).unwrap_or_else(|| panic!("{value} is not a finite number"))
 }

@@ -26,10 +26,7 @@ where
 }
 
 /// The scalar product, summed in the order of the components.
-///
-/// # Panics
-///
-/// If the vectors have no component.
+/// Panics if the vectors have no component.
 pub fn dot<T: Ring, const N: usize>(u: impl Borrow<[T; N]>, v: impl Borrow<[T; N]>) -> T {
     let products = u.borrow().iter().zip(v.borrow()).map(|(u, v)| u.times(v));
     products.reduce(T::add).expect("a component")

@@ -46,10 +46,7 @@ pub fn common_divisor<const N: usize>(mut values: [&BigInt; N]) -> BigInt {
 }
 
 /// The greatest magnitude.
-///
-/// # Panics
-///
-/// If there is no value.
+/// Panics if there is no value.
 pub fn greatest<T: Signed + Ord, const N: usize>(values: [&T; N]) -> T {
     let magnitudes = values.into_iter().map(T::abs);
     magnitudes.max().expect("a value")

@@ -1,13 +1,11 @@
 //! Number formats: every width of a machine as data.
 
-mod error;
-
-pub use error::{FittedError, FormatError, GuardError};
-
 use crate::unit::root::Method;
+use imogene_contract::words::{LEAST_DEPTH, MOST_DEPTH, MOST_GUARD, WordRange};
 use imogene_contract::{MachineWords, RootForm, words};
 use serde::Serialize;
 use std::ops::RangeInclusive;
+use thiserror::Error;
 
 /// The widths of one machine, all derived from its depth word `W` (`docs/architecture.md`, section 1).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -38,28 +36,21 @@ pub struct Format {
 }
 
 impl Format {
-    /// Most guard bits of either part of the depth.
-    pub const MAX_GUARD: u32 = words::MOST_GUARD;
-
     /// Depth words: below, nothing of a picture is left; above, f2 is longer than 64 bits.
-    pub const DEPTHS: RangeInclusive<u32> = words::LEAST_DEPTH..=words::MOST_DEPTH;
+    pub const DEPTHS: RangeInclusive<u32> = LEAST_DEPTH..=MOST_DEPTH;
 
     /// Depth words of the tables of errors, proofs and costs.
     pub const CATALOGUE: [u32; 5] = words::DEPTH_WORDS;
 
     /// The format of the source machine: 24-bit depth, 48-bit quadratic accumulator.
-    pub const BASE: Format = Format::of_depth(24);
+    pub const BASE: Format = Format::of(&MachineWords::of(24));
 
     /// The format of a depth word from which all others follow.
     pub fn new(depth: u32) -> Result<Format, FormatError> {
         match Self::DEPTHS.contains(&depth) {
-            true => Ok(Self::of_depth(depth)),
+            true => Ok(Self::of(&MachineWords::of(depth))),
             false => Err(FormatError(depth)),
         }
-    }
-
-    const fn of_depth(depth: u32) -> Format {
-        Format::of(&MachineWords::of(depth))
     }
 
     const fn of(words: &MachineWords) -> Format {
@@ -85,16 +76,11 @@ impl Format {
             guard_quadratic: 0,
             ..*words
         };
-        if let Some((word, value, least, most)) = unguarded.refused() {
-            return Err(FittedError::Range {
-                word,
-                value,
-                least,
-                most,
-            });
+        if let Some(range) = unguarded.refused() {
+            return Err(FittedError::Range(range));
         }
-        let format = Format::of(&unguarded);
-        Ok(format.with_guards(words.guard_linear, words.guard_quadratic)?)
+        let (linear, quadratic) = (words.guard_linear, words.guard_quadratic);
+        Ok(Format::of(&unguarded).with_guards(linear, quadratic)?)
     }
 
     /// The widths from which all others follow.
@@ -149,8 +135,8 @@ impl Format {
 
     /// The same format with guard bits below the last bits of f1 and f2; 0 to 16 each, and `F + g2` at most 64.
     pub const fn with_guards(self, linear: u32, quadratic: u32) -> Result<Format, GuardError> {
-        if linear > Self::MAX_GUARD || quadratic > Self::MAX_GUARD {
-            return Err(GuardError::TooMany { linear, quadratic });
+        if linear > MOST_GUARD || quadratic > MOST_GUARD {
+            return Err(GuardError::TooMany(linear, quadratic));
         }
         let format = Format {
             guard_linear: linear,
@@ -187,13 +173,13 @@ impl Format {
 
     /// True if all words but the guard bits follow from the depth word, whatever the form of the root.
     pub fn follows_depth_word(&self) -> bool {
-        let own = Format {
+        let own = MachineWords {
             guard_linear: self.guard_linear,
             guard_quadratic: self.guard_quadratic,
             root_form: self.root_form,
-            ..Self::of_depth(self.depth)
+            ..MachineWords::of(self.depth)
         };
-        own == *self
+        own == self.widths()
     }
 
     /// Data bits of the load bus: the width of the widest word.
@@ -258,4 +244,43 @@ pub const fn wrap(value: i128, width: u32) -> i128 {
 #[inline]
 pub const fn wrap64(value: i64, width: u32) -> i64 {
     (value << (64 - width)) >> (64 - width)
+}
+
+/// Widths that no machine can have.
+#[derive(Debug, Error, PartialEq, Eq)]
+pub enum FittedError {
+    /// One of them is out of its range.
+    #[error("{} of {} bits: accepted are {} to {}", .0.0, .0.1, .0.2, .0.3)]
+    Range(WordRange),
+    /// The guard bits.
+    #[error(transparent)]
+    Guards(#[from] GuardError),
+}
+
+/// A depth word that no machine has.
+#[derive(Debug, Error, PartialEq, Eq)]
+#[error("depth word of {0} bits: accepted are {LEAST_DEPTH} to {MOST_DEPTH}")]
+pub struct FormatError(pub u32);
+
+/// Guard bits that a format cannot have.
+#[derive(Debug, Error, PartialEq, Eq)]
+pub enum GuardError {
+    /// More than 16 of f1 or of f2.
+    #[error("guard bits {0}:{1}: at most {MOST_GUARD} each are accepted")]
+    TooMany(u32, u32),
+    /// The second-degree processor would be wider than 64 bits.
+    #[error(
+        "{quadratic} guard bits of f2 make its processor {width} bits wide, more than 64; \
+         a depth word of {depth} bits accepts at most {most}"
+    )]
+    TooWide {
+        /// Depth word of the format.
+        depth: u32,
+        /// Of f2.
+        quadratic: u32,
+        /// Width that the processor would have.
+        width: u32,
+        /// The most that is accepted.
+        most: u32,
+    },
 }

@@ -125,7 +125,7 @@ pub(super) fn zone_slots(
 /// Why an object has no words for a processor of quadrics.
 fn refused(object: String, why: AsQuadricError) -> DisplayError {
     match why {
-        AsQuadricError::Planes { needed, .. } => {
+        AsQuadricError::Planes(needed, _) => {
             DisplayError::Planes(format!("object '{object}'"), needed)
         }
         why => PlanError::Object(object, why).into(),
@@ -209,7 +209,7 @@ fn of_own_kind(prepared: &PreparedScene, slot: Slot) -> (FittedSlot, Slot) {
 /// Words of every volume of the scene, for processors of so many planes.
 pub(super) fn volumes(prepared: &PreparedScene, planes: usize) -> Result<Vec<VolumeWords>> {
     plan::volumes(prepared, planes, |volume, why| match why {
-        AsQuadricError::Planes { needed, .. } => DisplayError::Planes(volume, needed),
+        AsQuadricError::Planes(needed, _) => DisplayError::Planes(volume, needed),
         why => PlanError::Volume(volume, why).into(),
     })
 }

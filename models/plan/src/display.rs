@@ -31,10 +31,7 @@ pub struct OtherTables {
 }
 
 /// Checks that one machine shows all images: their tables stand in its memories from the beginning.
-///
-/// # Errors
-///
-/// When the tables of an image are other ones than those of the first.
+/// Fails when the tables of an image are other ones than those of the first.
 pub fn check_tables(images: &[Image]) -> Result<(), OtherTables> {
     let mut pairs = images.iter().map(|image| image.tables != images[0].tables);
     let other = pairs.position(|is_other| is_other);
@@ -61,10 +58,7 @@ pub struct Image {
 }
 
 /// The image of a prepared scene, or its first field, without an overlay.
-///
-/// # Errors
-///
-/// When the machine has not the processors for the scene, or the picture another size than the screen.
+/// Fails when the machine has not the processors for the scene, or the picture another size than the screen.
 pub fn image(
     scene: &FramedScene,
     prepared: &PreparedScene,
@@ -76,17 +70,17 @@ pub fn image(
 
 /// The images of a prepared scene: both fields of an interlaced machine, else one. The host of a zone machine leaves
 /// out of each zone what the refinement finds.
-///
-/// # Errors
-///
-/// As of [`image`].
+/// Fails as [`image`] does.
 pub fn images(
     scene: &FramedScene,
     prepared: &PreparedScene,
     machine: &MachineDescription,
     refinement: Refinement,
 ) -> Result<Vec<Image>> {
-    check_size(scene, machine)?;
+    let picture = (scene.width, scene.height);
+    if let Some(screen) = machine.drawn_size().filter(|screen| *screen != picture) {
+        return Err(DisplayError::Size(picture, screen));
+    }
     needs::check(machine, &[(scene, prepared)])?;
     let shader = shader(scene, &prepared.format, machine)?;
     let numbers = material_numbers(scene);
@@ -114,9 +108,10 @@ pub fn images(
             (beats.collect::<Result<_>>()?, frame, lighting, None)
         }
     };
+    let tables = shader.sphere.iter().flat_map(|sphere| sphere.load_words());
     let image = Image {
         pixels: fields[0],
-        tables: table_words(&shader),
+        tables: tables.map(|(_, word)| word.into()).collect(),
         picture: finished(&frame, &lighting, &numbers, &shader, machine),
         beats: vec![],
         frame,
@@ -132,10 +127,7 @@ pub fn images(
 }
 
 /// The plan of a frame of a zone machine, with the words of its shading processor.
-///
-/// # Errors
-///
-/// When the scene cannot be planned or shaded.
+/// Fails when the scene cannot be planned or shaded.
 pub fn zone_plan(
     scene: &FramedScene,
     prepared: &PreparedScene,
@@ -147,20 +139,6 @@ pub fn zone_plan(
     let materials = materials.into_iter().map(u32::from).collect();
     let plan = ZonePlan::of(prepared, machine.zone_machine())?;
     Ok(plan.refined(refinement).shaded(shading, materials)?)
-}
-
-fn table_words(shader: &ShaderWords) -> Vec<u64> {
-    let tables = shader.sphere.iter();
-    let words = tables.flat_map(|sphere| sphere.load_words());
-    words.map(|(_, word)| word.into()).collect()
-}
-
-fn check_size(scene: &FramedScene, machine: &MachineDescription) -> Result<()> {
-    let picture = (scene.width, scene.height);
-    match machine.drawn_size() {
-        Some(screen) if screen != picture => Err(DisplayError::Size(picture, screen)),
-        _ => Ok(()),
-    }
 }
 
 fn finished(

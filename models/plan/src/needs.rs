@@ -35,11 +35,8 @@ const ZONE: ZoneSize = ZoneSize {
 };
 
 /// Checks that a machine can show scenes, one after the other.
-///
-/// # Errors
-///
-/// When it has too few processors, planes, lights or words: the error has the lines that would do for all of the
-/// scenes. When no machine shows one of them.
+/// Fails when it has too few processors, planes, lights or words: the error has the lines that would do for all of the
+/// scenes. Fails, too, when no machine shows one of them.
 pub fn check(machine: &MachineDescription, scenes: &[Scene]) -> Result<()> {
     let enough = enough(machine, scenes)?;
     match enough == *machine {
@@ -49,10 +46,7 @@ pub fn check(machine: &MachineDescription, scenes: &[Scene]) -> Result<()> {
 }
 
 /// The machine with what it lacks for the scenes; one of zones if no beam machine is large enough.
-///
-/// # Errors
-///
-/// When no machine shows one of them.
+/// Fails when no machine shows one of them.
 pub fn enough(machine: &MachineDescription, scenes: &[Scene]) -> Result<MachineDescription> {
     let mut enough = machine.clone();
     // Twice: in a product that a later scene enlarges, an earlier one fills more slots.
@@ -81,10 +75,7 @@ pub fn enough(machine: &MachineDescription, scenes: &[Scene]) -> Result<MachineD
 
 /// A machine with the slots that it has, each in as few bits as hold what the scenes need of it. A zone machine takes
 /// as many passes as before.
-///
-/// # Errors
-///
-/// When it does not show one of them.
+/// Fails when it does not show one of them.
 pub fn narrowed(machine: &MachineDescription, scenes: &[Scene]) -> Result<MachineDescription> {
     let slots = machine.slots();
     let mut slots: Vec<FittedSlot> = slots.iter().map(FittedSlot::in_all_bits).collect();
@@ -156,10 +147,7 @@ fn shared_needs(plan: &ZonePlan) -> Vec<(usize, FittedSlot)> {
 }
 
 /// Checks that there are machines of a kind that show a scene.
-///
-/// # Errors
-///
-/// When it has too many lights or objects, or what no processor of such a machine draws.
+/// Fails when it has too many lights or objects, or what no processor of such a machine draws.
 pub fn check_any(kind: MachineKind, framed: &FramedScene, prepared: &PreparedScene) -> Result<()> {
     check_counts((framed, prepared))?;
     match kind {

@@ -25,10 +25,7 @@ pub struct Timing {
 }
 
 /// Clocks from the first pixel of a frame to the first of the next.
-///
-/// # Errors
-///
-/// When the machine does not show the scene.
+/// Fails when the machine does not show the scene.
 pub fn clocks_per_frame(
     machine: &MachineDescription,
     scene: &FramedScene,

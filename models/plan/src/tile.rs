@@ -51,10 +51,7 @@ const WIDE: u32 = 100;
 /// The light is that of the brightest source, in white and from one direction. On the quadric it goes with the
 /// component of the gradient along this direction, whose greatest length on the object stands for 1: it is not brought
 /// to this length at each pixel. The factor of the root gets three bits; the colours make up for what that changes.
-///
-/// # Errors
-///
-/// When the scene is not of one solid that a tile can draw.
+/// Fails when the scene is not of one solid that a tile can draw.
 pub fn tile_words(
     scene: &FramedScene,
     prepared: &PreparedScene,
@@ -104,11 +101,7 @@ pub fn tile_words(
     })
 }
 
-/// The one object of a scene, if a tile can draw it.
-///
-/// # Errors
-///
-/// When the scene is not of one solid that a tile can draw.
+/// The one object of a scene; fails when it is not one solid that a tile can draw.
 pub fn only_solid(prepared: &PreparedScene) -> Result<&QuadricWords, TileError> {
     let refused = |what: &str| TileError::Scene(what.to_owned());
     let [object] = &prepared.objects[..] else {

@@ -106,10 +106,7 @@ impl Kept {
 /// Prepares a scene whose objects have unique names with what is kept of the one before, and keeps it for the next;
 /// the words are those of [`prepare_with`](super::prepare_with). `done` is called about once for each of
 /// [`steps`](super::steps), from any thread.
-///
-/// # Errors
-///
-/// Those of a preparation from scratch; then what was kept stays.
+/// Fails as a preparation from scratch does; then what was kept stays.
 pub fn prepare_again(
     scene: &FramedScene,
     format: Format,

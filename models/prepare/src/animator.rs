@@ -71,10 +71,7 @@ pub enum FrameProblem {
 
 impl<'a> Animator<'a> {
     /// The animation of a scene, drawn in pictures of a size, columns and lines, by a machine of a format.
-    ///
-    /// # Errors
-    ///
-    /// If the scene is refused, or has no frames.
+    /// Fails if the scene is refused, or has no frames.
     pub fn new(
         file: &'a SceneFile,
         size: (u32, u32),
@@ -94,39 +91,24 @@ impl<'a> Animator<'a> {
 
     /// Prepares a frame, counted from 0; any order is possible, neighbours have the most in common. `done` is called
     /// once a step, of which there are about as many as objects and shadows.
-    ///
-    /// # Errors
-    ///
-    /// If the actions of the frame bring something where it cannot be drawn.
-    ///
-    /// # Panics
-    ///
-    /// If there is no such frame.
+    /// Fails if the actions of the frame bring something where it cannot be drawn.
+    /// Panics if there is no such frame.
     pub fn prepare(
         &mut self,
         index: usize,
         done: &(impl Fn() + Sync),
     ) -> Result<PreparedFrame, FrameError> {
-        let frame = self.playback.frame(index);
-        match self.attempt(index, done) {
-            Ok((framed, prepared, reuse)) => Ok(PreparedFrame {
-                frame,
-                framed,
-                prepared,
-                reuse,
-            }),
-            Err(source) => Err(FrameError {
-                frame,
-                source: Box::new(source),
-            }),
-        }
+        self.attempt(index, done).map_err(|source| FrameError {
+            frame: self.playback.frame(index),
+            source: Box::new(source),
+        })
     }
 
     fn attempt(
         &mut self,
         index: usize,
         done: &(impl Fn() + Sync),
-    ) -> Result<(FramedScene, PreparedScene, Reuse), FrameProblem> {
+    ) -> Result<PreparedFrame, FrameProblem> {
         let scene = self.playback.scene(index)?;
         let flat = scene.flattened();
         let (width, height) = self.size;
@@ -145,7 +127,12 @@ impl<'a> Animator<'a> {
         let options = self.options;
         let (prepared, reuse) = prepare_again(&framed, self.format, options, &mut self.kept, done)?;
         self.before = Some(Before::of(flat.into_owned(), &framed));
-        Ok((framed, prepared, reuse))
+        Ok(PreparedFrame {
+            frame: self.playback.frame(index),
+            framed,
+            prepared,
+            reuse,
+        })
     }
 
     /// The object as it was framed, if it and the camera are those of the frame before.

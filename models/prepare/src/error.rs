@@ -96,15 +96,9 @@ pub enum PrepareError {
     NotFitted(String),
     /// The two-plane algorithm of the first generation does not apply.
     #[error(
-        "object '{object}': not for the processor \"first_generation\": {problem}; \
-         the processor \"quadric\" draws it"
+        "object '{0}': not for the processor \"first_generation\": {1}; the processor \"quadric\" draws it"
     )]
-    FirstGeneration {
-        /// Name of the object.
-        object: String,
-        /// What is in the way.
-        problem: &'static str,
-    },
+    FirstGeneration(String, &'static str),
     /// A corner of a mesh that has no place on the screen.
     #[error(
         "object '{object}', faces[{face}]: vertex {vertex} {problem}; leave the face out, or move the mesh"
@@ -137,15 +131,10 @@ pub enum PrepareError {
     Products(String),
     /// A product of a solid with too many objects.
     #[error(
-        "solid '{solid}': one of its products intersects {} objects and takes {} away; at most {MOST_MEMBERS} each are \
-         possible; several solids beside each other, each with a part of the holes, would do", size[0], size[1]
+        "solid '{}': one of its products intersects {} objects and takes {} away; at most {MOST_MEMBERS} each are \
+         possible; several solids beside each other, each with a part of the holes, would do", .0, .1[0], .1[1]
     )]
-    Product {
-        /// Name of the solid.
-        solid: String,
-        /// Objects intersected, and taken away.
-        size: [usize; 2],
-    },
+    Product(String, [usize; 2]),
     /// An object that cannot be a part of a solid as it is seen.
     #[error("solid '{solid}': object '{object}' {problem}")]
     Member {
@@ -156,14 +145,9 @@ pub enum PrepareError {
         /// What is in the way.
         problem: String,
     },
-    /// An object that cannot be transparent.
-    #[error("object '{object}': {problem}")]
-    Transparent {
-        /// Name of the object.
-        object: String,
-        /// What is in the way.
-        problem: String,
-    },
+    /// An object that cannot be transparent, and what is in the way.
+    #[error("object '{0}': {1}")]
+    Transparent(String, String),
     /// Transparent objects that have no order.
     #[error(
         "the transparent objects {0}: each is farther than the next somewhere, and the last than the first, so \
@@ -189,17 +173,12 @@ pub enum PrepareError {
         /// Index of a light with shadows.
         light: usize,
     },
-    /// A source with shadows stands in a solid that casts one.
+    /// A source with shadows, by its index, stands in a solid that casts one.
     #[error(
-        "object '{object}': lights[{source_index}] is inside this solid (or the solid is endless towards it), which \
-         would leave all else in the dark; move the light out of it, or give the object `casts_shadow = false`"
+        "object '{0}': lights[{1}] is inside this solid (or the solid is endless towards it), which would leave all \
+         else in the dark; move the light out of it, or give the object `casts_shadow = false`"
     )]
-    SourceInside {
-        /// Name of the object.
-        object: String,
-        /// Index of the light.
-        source_index: usize,
-    },
+    SourceInside(String, usize),
     /// The depth of a volume's quadric is no square root.
     #[error(
         "{0}: the viewer lies exactly on its surface (or looks along an asymptotic direction of it), so its depth \
@@ -207,13 +186,8 @@ pub enum PrepareError {
     )]
     ViewerOnVolume(String),
     /// An accumulator of a volume would leave its width on the volume's screen box.
-    #[error("{volume}: {}; the volume may be left out: {WITHOUT}", excess.on("its"))]
-    VolumeTooLarge {
-        /// The volume.
-        volume: String,
-        /// What leaves which word.
-        excess: Excess,
-    },
+    #[error("{}: {}; the volume may be left out: {WITHOUT}", .0, .1.on("its"))]
+    VolumeTooLarge(String, Excess),
     /// A plane of a volume too steep for the plane word, and not provably a perpendicular one.
     #[error("{volume}: its plane {plane} {steep}; leave the volume out: {WITHOUT}")]
     VolumeSteepPlane {
@@ -229,9 +203,8 @@ pub enum PrepareError {
 impl PrepareError {
     /// The refusal of an object's words, said of a volume.
     pub(super) fn in_volume(self, volume: &str) -> PrepareError {
-        let volume = volume.to_owned();
         match self {
-            Self::TooLarge { excess, .. } => Self::VolumeTooLarge { volume, excess },
+            Self::TooLarge { excess, .. } => Self::VolumeTooLarge(volume.to_owned(), excess),
             other => other,
         }
     }

@@ -6,7 +6,7 @@ use super::error::PrepareError;
 use super::forms::{LinearForm, QuadraticForm};
 use super::ledger::Ledger;
 use super::object::prepare_quadric;
-use super::prepared::{NeededWord, PreparedParts, PreparedQuadric};
+use super::prepared::{PreparedParts, PreparedQuadric};
 use super::projected::Projected;
 use super::seams::Place;
 use imogene_algebra::rational::integer;
@@ -24,12 +24,7 @@ pub(super) fn prepare_first_generation(
     let place = Place::alone(projected.window, object.planes.len());
     let prepared = prepare_quadric(object, &projected, &place, context)?;
     let name = &object.name;
-    let refuse = |problem| {
-        Err(PrepareError::FirstGeneration {
-            object: name.clone(),
-            problem,
-        })
-    };
+    let refuse = |problem| Err(PrepareError::FirstGeneration(name.clone(), problem));
     match prepared.words.class {
         Class::Side | Class::Patch => {}
         Class::Front => return refuse("the viewer is inside the unbounded quadric"),
@@ -50,6 +45,10 @@ pub(super) fn prepare_first_generation(
     };
     let held = prepared.words.wrapped(&context.format);
     let mut ledger = Ledger::new(name, prepared.words.screen_box, context);
+    let (needed, format) = (&prepared.needed, &context.format);
+    ledger.need("f1 + sqrt(f2)", needed.sum, format.sum);
+    ledger.need("f2", needed.quadratic, format.quadratic);
+    ledger.need("planes", needed.plane, format.plane);
     let words = FirstGenerationWords {
         patch: object.surface == Surface::Patch,
         screen_box: prepared.words.screen_box,
@@ -59,17 +58,6 @@ pub(super) fn prepare_first_generation(
         front: contours(&prepared, front, -1, &mut ledger, context)?,
         back: contours(&prepared, back, 1, &mut ledger, context)?,
     };
-    let known = [
-        ("f1 + sqrt(f2)", prepared.needed.sum, context.format.sum),
-        ("f2", prepared.needed.quadratic, context.format.quadratic),
-        ("planes", prepared.needed.plane, context.format.plane),
-    ];
-    let known = known.map(|(word, needed, available)| NeededWord {
-        word: word.to_owned(),
-        needed,
-        available,
-    });
-    ledger.needed.splice(0..0, known);
     Ok(PreparedParts {
         notes: prepared.notes,
         ..ledger.finish(ProcessorWords::FirstGeneration(words))

@@ -241,8 +241,9 @@ impl QuadraticForm {
     /// derivative along the edge is zero, or where both derivatives are zero.
     pub fn range_on(&self, window: &ScreenBox) -> (BigRational, BigRational) {
         let [a, b, c, d, e, f] = &self.whole;
-        let at = |(x, y): (i64, i64)| (a * x + c * y + d) * x + (b * y + e) * y + f;
-        let mut corners = corners(window).map(at);
+        let at = |x: i64, y: i64| (a * x + c * y + d) * x + (b * y + e) * y + f;
+        let (x, y) = ([window.x0, window.x1], [window.y0, window.y1]);
+        let mut corners = [0, 1, 2, 3].map(|k| at(x[k % 2], y[k / 2]));
         corners.sort();
         let [least, .., greatest] = corners;
         let mut values: Vec<BigRational> = vec![least.into(), greatest.into()];
@@ -348,9 +349,4 @@ pub(super) fn inverse(a: &BigRational) -> BigRational {
 /// The quotients as they are.
 pub(super) fn unreduced<const N: usize>(n: [BigInt; N], d: &BigInt) -> [BigRational; N] {
     n.map(|v| BigRational::new_raw(v, d.clone()))
-}
-
-fn corners(window: &ScreenBox) -> [(i64, i64); 4] {
-    let (x, y) = ([window.x0, window.x1], [window.y0, window.y1]);
-    [0, 1, 2, 3].map(|k| (x[k % 2], y[k / 2]))
 }

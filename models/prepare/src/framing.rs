@@ -10,10 +10,7 @@ use std::borrow::Borrow;
 pub trait Framing: Borrow<SceneFile> {
     /// The scene in the camera frame of a picture of `width` by `height` pixels, with the range of the depth word
     /// that it names or that is chosen for it.
-    ///
-    /// # Errors
-    ///
-    /// What the checks of a scene refuse, such as a size that is out of range.
+    /// Fails on what the checks of a scene refuse, such as a size that is out of range.
     fn frame(&self, width: u32, height: u32) -> Result<FramedScene, SceneError> {
         self.frame_reporting(width, height, &|| ())
     }

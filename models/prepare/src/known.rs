@@ -52,15 +52,6 @@ impl Known<'_> {
             *known = known.filter(|kept| kept.place == *place);
         }
     }
-    pub fn object(&self, index: usize) -> Option<&PreparedObject> {
-        self.objects[index].map(|kept| &kept.prepared)
-    }
-
-    /// Where an object is seen.
-    pub fn seen(&self, index: usize) -> Option<Option<Bounds>> {
-        self.objects[index]?.seen
-    }
-
     /// The shadow of an object from a source, if what is seen takes the same room.
     pub fn shadow(
         &self,

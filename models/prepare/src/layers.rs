@@ -9,27 +9,22 @@ use imogene_golden::machine::transparency::order;
 use imogene_golden::object::slot::Slot;
 use imogene_golden::slots::required;
 use imogene_scene::FramedScene;
+use std::collections::BTreeSet;
 
 /// The slots of the transparent objects, in the order of their blends.
-///
-/// # Errors
-///
-/// When there are too many, when one has more or less than one processor or is in a solid, when a source does not reach
-/// everything, or when no order is right at all pixels.
+/// Fails when there are too many, when one has more or less than one processor or is in a solid, when a source does not
+/// reach everything, or when no order is right at all pixels.
 pub(super) fn layers(
     scene: &FramedScene,
+    transparent: &BTreeSet<usize>,
     objects: &[PreparedObject],
     context: &Context,
 ) -> Result<Vec<Slot>, PrepareError> {
-    let transparent: Vec<usize> = (0..objects.len())
-        .filter(|id| scene.is_transparent(*id))
-        .collect();
     let Some(&first) = transparent.first() else {
         return Ok(vec![]);
     };
-    let refused = |object: usize, problem: String| PrepareError::Transparent {
-        object: objects[object].name().to_owned(),
-        problem,
+    let refused = |object: usize, problem: String| {
+        PrepareError::Transparent(objects[object].name().to_owned(), problem)
     };
     if transparent.len() > MOST_LAYERS as usize {
         let count = transparent.len();
@@ -46,7 +41,7 @@ pub(super) fn layers(
         return Err(refused(first, problem));
     }
     let members: Vec<usize> = scene.solids.iter().flat_map(|s| s.tree.objects()).collect();
-    let slots = transparent.into_iter().map(|object| {
+    let slots = transparent.iter().map(|&object| {
         if members.contains(&object) {
             let problem = "is transparent and belongs to a solid; solids are opaque".to_owned();
             return Err(refused(object, problem));

@@ -180,31 +180,29 @@ impl<'a> Ledger<'a> {
         if needed > width {
             return Err(self.refusal(word, magnitude, width));
         }
+        self.need(word, needed, width);
+        Ok(())
+    }
+
+    /// Records the bits of a word that was proven.
+    pub fn need(&mut self, word: &str, needed: u32, available: u32) {
         self.needed.push(NeededWord {
             word: word.to_owned(),
             needed,
-            available: width,
+            available,
         });
-        Ok(())
     }
 
     /// Pixels of the box at which the words, off by at most `off`, have another sign than the exact expression. Zero
     /// counts as positive.
     fn wrong(&self, words: &Quadratic, exact: &QuadraticForm, off: &BigRational) -> u64 {
         let near = off.ceil().to_integer().to_i128().unwrap_or(i128::MAX);
-        let window = &self.window;
-        let mut wrong = 0;
-        for y in window.y0..=window.y1 {
-            for x in window.x0..=window.x1 {
-                let value = words.wrapped_at(x, y, 127);
-                if value.abs() <= near
-                    && (value >= 0) == exact.at(&integer(x), &integer(y)).is_negative()
-                {
-                    wrong += 1;
-                }
-            }
-        }
-        wrong
+        let is_wrong = |&(x, y): &(i64, i64)| {
+            let value = words.wrapped_at(x, y, 127);
+            let is_near = value.abs() <= near;
+            is_near && (value >= 0) == exact.at(&integer(x), &integer(y)).is_negative()
+        };
+        self.window.each().filter(is_wrong).count() as u64
     }
 }
 

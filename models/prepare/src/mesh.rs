@@ -33,12 +33,8 @@ pub(super) fn prepare_mesh(
     let places: Vec<Result<Seen, &'static str>> =
         mesh.vertices.iter().map(|v| place(v, context)).collect();
     let mut parts = PreparedParts {
-        depth_bound: None,
-        name: mesh.name.clone(),
-        words: vec![],
-        screen_box: ScreenBox::EMPTY,
-        needed: vec![],
         notes: vec![],
+        ..PreparedParts::unseen(&mesh.name, "")
     };
     let (mut edge_on, mut needed): (Vec<usize>, Vec<NeededWord>) = (vec![], vec![]);
     for facet in &mesh.facets {

@@ -4,7 +4,7 @@
 use super::context::Context;
 use super::depth::{Asked, Exact};
 use super::error::{PrepareError, too_large};
-use super::forms::{LinearForm, greater, inverse, sum, times};
+use super::forms::{LinearForm, QuadraticForm, greater, inverse, sum, times};
 use super::perspective::ScreenQuadric;
 use super::prepared::{ExactForms, NeededWidths, PreparedQuadric, RoundingBounds};
 use super::projected::Projected;
@@ -56,18 +56,25 @@ pub(super) fn prepare_quadric(
         }
         refusal
     })?;
+    let note = match class {
+        Class::Prism => Some("does not depend on the depth (seen end-on)"),
+        Class::Front => Some("the viewer is inside the unbounded quadric (front view)"),
+        Class::Side | Class::Patch => None,
+    };
     let mut prepared = PreparedQuadric {
         name: object.name.clone(),
         words: QuadricWords {
+            class,
+            screen_box: *window,
             f1: words.f1,
             f2: words.f2,
-            ..empty_words(class, *window)
+            ..QuadricWords::default()
         },
         exact: asked.into_exact(),
         anchor: context.anchor_of(&place.quadric),
         bounds: words.bounds,
         needed: words.needed,
-        notes: class_note(class).into_iter().collect(),
+        notes: note.map(str::to_owned).into_iter().collect(),
     };
     if class != Class::Prism {
         (prepared.words.normal, prepared.bounds.normal) =
@@ -83,11 +90,9 @@ pub(super) fn prepare_quadric(
             return Err(too_large(name, &word, &magnitude, available, window));
         }
         prepared.notes.extend(plane.note(index));
+        let exact = projected.planes[index].exact(&plane, context);
+        prepared.exact.planes.push(exact);
         prepared.words.planes.push(plane.words);
-        prepared
-            .exact
-            .planes
-            .push(projected.planes[index].exact(&plane, context));
         prepared.bounds.planes.push(plane.bound);
         prepared.needed.plane = prepared.needed.plane.max(plane.needed);
     }
@@ -121,33 +126,21 @@ fn classify(
 pub(super) fn absent(name: &str, class: Class, note: &str) -> PreparedQuadric {
     PreparedQuadric {
         name: name.to_owned(),
-        words: empty_words(class, ScreenBox::EMPTY),
-        exact: ExactForms::zero(),
+        words: QuadricWords {
+            class,
+            screen_box: ScreenBox::EMPTY,
+            ..QuadricWords::default()
+        },
+        exact: ExactForms {
+            f1: LinearForm::zero(),
+            f2: QuadraticForm::zero(),
+            planes: vec![],
+        },
         anchor: Anchor::ORIGIN,
         bounds: RoundingBounds::default(),
         needed: NeededWidths::default(),
         notes: vec![note.to_string()],
     }
-}
-
-pub(super) fn empty_words(class: Class, screen_box: ScreenBox) -> QuadricWords {
-    QuadricWords {
-        class,
-        screen_box,
-        f1: Default::default(),
-        f2: Default::default(),
-        normal: NormalWords::default(),
-        planes: vec![],
-    }
-}
-
-fn class_note(class: Class) -> Option<String> {
-    let note = match class {
-        Class::Prism => "does not depend on the depth (seen end-on)",
-        Class::Front => "the viewer is inside the unbounded quadric (front view)",
-        Class::Side | Class::Patch => return None,
-    };
-    Some(note.to_owned())
 }
 
 fn normal_words(projected: &Projected, root_max: &BigInt, context: &Context) -> (NormalWords, f64) {

@@ -108,7 +108,7 @@ impl PlacedPlane {
                 false => PlaneKind::Back,
             };
             return Ok(PreparedPlane {
-                words: of_kind(kind, depth),
+                words: PlaneWords::new(kind, depth, [0; 3]),
                 across: None,
                 bound: in_depth.bound,
                 needed: in_depth.needed,
@@ -146,15 +146,6 @@ impl InDepth {
             bound: word.as_ref().map_or(f64::INFINITY, off),
             word,
         }
-    }
-}
-
-fn of_kind(kind: PlaneKind, depth: Linear) -> PlaneWords {
-    let normal = [0; 3];
-    PlaneWords {
-        kind,
-        depth,
-        normal,
     }
 }
 
@@ -210,7 +201,7 @@ fn perpendicular(
         }
     };
     PreparedPlane {
-        words: of_kind(PlaneKind::Perpendicular, depth),
+        words: PlaneWords::new(PlaneKind::Perpendicular, depth, [0; 3]),
         needed: bits_needed(&exact, Some(&depth), window),
         bound: to_f64_up(&linear_error(&depth, &exact, 0, window)),
         across: Some(Arc::new(exact)),
@@ -265,12 +256,10 @@ fn nearest_to_zero(form: &LinearForm, line: &BigRational, window: &ScreenBox) ->
         return [window.x0, window.x1];
     }
     let crossing = -(b * line + c) / a;
-    let below = floor(&crossing)
-        .to_i64()
-        .unwrap_or(if crossing.is_negative() {
-            i64::MIN / 2
-        } else {
-            i64::MAX / 2
-        });
+    let below = match floor(&crossing).to_i64() {
+        Some(below) => below,
+        None if crossing.is_negative() => i64::MIN / 2,
+        None => i64::MAX / 2,
+    };
     [below, below + 1].map(|x| x.clamp(window.x0, window.x1))
 }

@@ -3,7 +3,7 @@
 use super::context::Context;
 use super::error::PrepareError;
 use super::ledger::Ledger;
-use super::prepared::{NeededWord, PreparedParts};
+use super::prepared::PreparedParts;
 use super::projected::Projected;
 use super::seams::Place;
 use imogene_golden::object::polyhedron::PolyhedronWords;
@@ -40,11 +40,8 @@ pub(super) fn prepare(
             depth: plane.words.depth.wrapped(context.format.plane),
             ..plane.words
         });
-        ledger.needed.push(NeededWord {
-            word: format!("plane {index}"),
-            needed: plane.needed,
-            available: context.format.plane,
-        });
+        let (word, available) = (format!("plane {index}"), context.format.plane);
+        ledger.need(&word, plane.needed, available);
     }
     Ok(PreparedParts {
         depth_bound: Some(bound),

@@ -77,17 +77,6 @@ pub struct RoundingBounds {
     pub greatest_root: f64,
 }
 
-impl ExactForms {
-    /// Those that are zero everywhere, without planes.
-    pub(super) fn zero() -> ExactForms {
-        ExactForms {
-            f1: LinearForm::zero(),
-            f2: QuadraticForm::zero(),
-            planes: vec![],
-        }
-    }
-}
-
 impl RoundingBounds {
     /// The root that the network finds of a computed f2.
     pub fn root_of(&self, f2: i64) -> i64 {

@@ -36,8 +36,12 @@ impl Projected {
     pub fn new(object: &FramedQuadric, context: &Context) -> Projected {
         let (quadric, planes) = on_screen(object, &context.inverse_distance);
         let region = Region::new(&quadric.q, &planes, object.surface);
+        // Of an uncut closed quadric from its tangent planes, else by search.
+        let depth = to_f64(&context.full_depth);
+        let searched = || region.screen_box(context.width, context.height, depth);
+        let window = tangent_box(&quadric, &planes, context).unwrap_or_else(searched);
         Projected {
-            window: window_of(&quadric, &region, &planes, context),
+            window,
             quadric,
             planes: planes.into_iter().map(PlacedPlane::of).collect(),
             region,
@@ -87,18 +91,6 @@ impl Projected {
     }
 }
 
-/// The screen box: of an uncut closed quadric from its tangent planes, else by search.
-fn window_of(
-    quadric: &ScreenQuadric,
-    region: &Region,
-    planes: &[Plane],
-    context: &Context,
-) -> ScreenBox {
-    let depth = to_f64(&context.full_depth);
-    let searched = || region.screen_box(context.width, context.height, depth);
-    tangent_box(quadric, planes, context).unwrap_or_else(searched)
-}
-
 /// The box of an uncut closed quadric within the screen and the depths; nothing for any other.
 pub(super) fn tangent_box(
     quadric: &ScreenQuadric,
@@ -111,10 +103,6 @@ pub(super) fn tangent_box(
     extent.screen_box(context.width, context.height, depth)
 }
 
-/// The note on an object that can only be seen from a camera that looks the other way.
-pub const BEHIND_VIEWER: &str =
-    "lies wholly behind the viewer, who looks from `eye` towards `target`: nothing to draw";
-
 /// Why nothing of an object is on the screen.
 pub(super) fn unseen_note(object: &FramedQuadric, context: &Context) -> &'static str {
     if !context.perspective || !is_empty_between(object, -1.0, 64.0, context) {
@@ -122,7 +110,8 @@ pub(super) fn unseen_note(object: &FramedQuadric, context: &Context) -> &'static
     } else if is_empty_between(object, -64.0, -1.0, context) {
         "its planes leave nothing of it: nothing to draw"
     } else {
-        BEHIND_VIEWER
+        // It can only be seen from a camera that looks the other way.
+        "lies wholly behind the viewer, who looks from `eye` towards `target`: nothing to draw"
     }
 }
 

@@ -134,8 +134,8 @@ pub(super) fn prepare_objects(
         .par_iter()
         .enumerate()
         .map(|(index, object)| {
-            let prepared = match known.object(index) {
-                Some(known) => Ok(known.clone()),
+            let prepared = match known.objects[index] {
+                Some(kept) => Ok(kept.prepared.clone()),
                 None => located.prepare(index, object, context).map_err(Box::new),
             };
             done();
@@ -169,13 +169,13 @@ pub(super) fn prepared_scene(
             });
         }
     }
+    let ids = 0..objects.len();
+    let transparent = ids.filter(|id| scene.is_transparent(*id)).collect();
     Ok(PreparedScene {
         missing,
         solids: PreparedSolids::of(scene, &objects, &context)?,
-        layers: layers(scene, &objects, &context)?,
-        transparent: (0..objects.len())
-            .filter(|id| scene.is_transparent(*id))
-            .collect(),
+        layers: layers(scene, &transparent, &objects, &context)?,
+        transparent,
         format: context.format,
         width: context.width,
         height: context.height,

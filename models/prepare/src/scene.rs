@@ -67,21 +67,13 @@ impl PreparedScene {
         alone.flat_map(of).collect()
     }
 
-    /// Refuses a scene for what looks at each object by itself.
-    ///
-    /// # Errors
-    ///
-    /// When there are solids or transparent objects.
+    /// Refuses a scene with solids or transparent objects, for what looks at each object by itself.
     pub fn refuse_composed(&self) -> Result<(), PrepareError> {
         self.refuse_one_of(&self.solids.members)?;
         self.refuse_transparent()
     }
 
-    /// Refuses a scene for what does not blend.
-    ///
-    /// # Errors
-    ///
-    /// When there are transparent objects.
+    /// Refuses a scene with transparent objects, for what does not blend.
     pub fn refuse_transparent(&self) -> Result<(), PrepareError> {
         self.refuse_one_of(&self.transparent)
     }

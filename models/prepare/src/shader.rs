@@ -43,10 +43,7 @@ const SHORTEST: f64 = 1e-3;
 const LONGEST: f64 = 1e12;
 
 /// The words of a scene.
-///
-/// # Errors
-///
-/// When the scene has more lights, materials or pixels than the processor, or its attenuation is beyond the words.
+/// Fails when the scene has more lights, materials or pixels than the processor, or an attenuation beyond the words.
 pub fn shader_words(scene: &FramedScene, format: &Format) -> Result<ShaderWords, ShaderError> {
     check(scene)?;
     let view = View::new(&scene.projection);

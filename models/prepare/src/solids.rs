@@ -6,13 +6,11 @@
 
 use super::context::Context;
 use super::error::PrepareError;
-use super::object::empty_words;
 use super::prepared::PreparedObject;
 use imogene_contract::words::{MOST_MEMBERS, MOST_OBJECTS};
 use imogene_golden::object::member::MemberWords;
 use imogene_golden::object::quadric::{MAX_PLANES, PlaneWords, QuadricWords, ScreenBox};
 use imogene_golden::object::slot::{ProcessorWords, Slot};
-use imogene_golden::object::words::Words;
 use imogene_golden::unit::cut_plane::PlaneKind;
 use imogene_golden::unit::depth_interval::Class;
 use imogene_golden::unit::pe1::Linear;
@@ -139,7 +137,10 @@ impl PreparedSolids {
             let too_many = || PrepareError::Products(solid.name.clone());
             let products = normal_form(&solid.tree).ok_or_else(too_many)?;
             for product in products {
-                refuse_size(solid, &product)?;
+                let size = product.size();
+                if size.into_iter().any(|count| count > MOST_MEMBERS as usize) {
+                    return Err(PrepareError::Product(solid.name.clone(), size));
+                }
                 let members = product.intersected.iter().chain(&product.subtracted);
                 let members: Vec<usize> = members.copied().collect();
                 let words = members
@@ -179,16 +180,6 @@ impl PreparedSolids {
     }
 }
 
-fn refuse_size(solid: &FramedSolid, product: &Product) -> Result<(), PrepareError> {
-    match product.size().into_iter().max() {
-        Some(size) if size > MOST_MEMBERS as usize => Err(PrepareError::Product {
-            solid: solid.name.clone(),
-            size: product.size(),
-        }),
-        _ => Ok(()),
-    }
-}
-
 /// A shadow volume of a member would be that of the whole object.
 fn refuse_shadows(scene: &FramedScene, solid: &FramedSolid) -> Result<(), PrepareError> {
     let Some(light) = scene.sources.iter().position(|source| source.shadows) else {
@@ -219,12 +210,15 @@ fn words(
     };
     // What is nowhere on the screen has no words.
     let Some(words) = object.words().into_iter().next() else {
-        return Ok(empty_words(Class::Side, ScreenBox::EMPTY));
+        return Ok(QuadricWords {
+            screen_box: ScreenBox::EMPTY,
+            ..QuadricWords::default()
+        });
     };
     let words = words.on_quadric_processor(&context.format, MAX_PLANES);
     let words = words.map_err(|why| refused(why.to_string()))?;
     match twice_met(&words, context) {
-        Some([x, y]) => Err(refused(format!(
+        Some((x, y)) => Err(refused(format!(
             "is met twice by the line of sight of pixel ({x}, {y}); cut one of its two parts off, or make an object of each"
         ))),
         None => Ok(words),
@@ -232,19 +226,15 @@ fn words(
 }
 
 /// A pixel whose line of sight meets an object in two pieces.
-fn twice_met(words: &QuadricWords, context: &Context) -> Option<[i64; 2]> {
-    if words.class != Class::Front || words.screen_box().is_empty() {
-        return None;
-    }
-    let window = words.screen_box();
+fn twice_met(words: &QuadricWords, context: &Context) -> Option<(i64, i64)> {
     let format = &context.format;
-    let is_met_twice = |&[x, y]: &[i64; 2]| {
-        let probe = words.probe_at(x, y, format);
-        let (a, b) = probe.halves;
+    let is_met_twice = |&(x, y): &(i64, i64)| {
+        let (a, b) = words.probe_at(x, y, format).halves;
         a.is_present(format) && b.is_present(format)
     };
-    let line = |y: i64| (window.x0..=window.x1).map(move |x| [x, y]);
-    (window.y0..=window.y1).flat_map(line).find(is_met_twice)
+    let mut pixels = words.screen_box.each();
+    let is_front = words.class == Class::Front;
+    is_front.then(|| pixels.find(is_met_twice)).flatten()
 }
 
 /// The words of an object seen from behind: every depth is the complement of what it was, so that the back is in

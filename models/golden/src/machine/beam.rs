@@ -65,7 +65,12 @@ pub fn render_with_backs(
 }
 
 /// A transparent object, if the slot is one's.
-fn layer(slot: &Slot, format: &Format, width: usize, height: usize) -> Option<FrameLayer> {
+pub(super) fn layer(
+    slot: &Slot,
+    format: &Format,
+    width: usize,
+    height: usize,
+) -> Option<FrameLayer> {
     let weight = slot.weight?;
     let alone = Slot {
         weight: None,

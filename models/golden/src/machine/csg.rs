@@ -3,6 +3,7 @@
 //!
 //! The union of products is the nearest of them, which the decider finds.
 
+use crate::unit::half_spaces::tree_levels;
 use std::collections::BTreeSet;
 
 /// A convex object on a line of sight, both ends included.
@@ -50,15 +51,11 @@ pub fn front(intersected: &[Extent], subtracted: &[Extent], z_max: i64) -> Optio
 
 /// Clocks after the intersected objects at which those taken away are used: the tree of the intersection comes first.
 pub const fn skew(intersected: usize) -> usize {
-    levels(intersected)
+    tree_levels(intersected) as usize
 }
 
 /// Latency in clocks from the intersected objects: the intersection, two clocks for the candidates, the choice among
 /// them.
 pub const fn latency(intersected: usize, subtracted: usize) -> u32 {
-    (levels(intersected) + 2 + levels(1 + subtracted)) as u32
-}
-
-const fn levels(inputs: usize) -> usize {
-    inputs.next_power_of_two().trailing_zeros() as usize
+    tree_levels(intersected) + 2 + tree_levels(1 + subtracted)
 }

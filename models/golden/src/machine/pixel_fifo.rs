@@ -44,10 +44,7 @@ impl PixelFifo {
     }
 
     /// One clock; what is there after the edge.
-    ///
-    /// # Panics
-    ///
-    /// When a pixel is started without room or pushed without having been started.
+    /// Panics when a pixel is started without room or pushed without having been started.
     pub fn clock(&mut self, started: bool, push: Option<(u32, bool)>, ready: bool) -> FifoOutput {
         assert!(!started || self.output().room, "started without room");
         if ready && self.seen.take().is_some() {

@@ -91,7 +91,7 @@ impl Shader {
                 continue;
             }
             let light = Light::new(words, &sight, &self.curves);
-            if !light.is_lit() {
+            if !light.is_lit {
                 continue;
             }
             let diffuse = light.diffuse(&self.curves);

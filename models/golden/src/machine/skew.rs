@@ -12,10 +12,7 @@ pub struct Skewed<T> {
 
 impl<T: Clone> Skewed<T> {
     /// Nothing was taken yet.
-    ///
-    /// # Panics
-    ///
-    /// Without inputs.
+    /// Panics without inputs.
     pub fn new(starts: Vec<usize>) -> Skewed<T> {
         assert!(!starts.is_empty(), "a pixel has an input at least");
         Skewed {

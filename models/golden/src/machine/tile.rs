@@ -39,10 +39,7 @@ fn threshold(x: u64, y: u64) -> u64 {
 
 impl<'a> Tile<'a> {
     /// A tile after its reset.
-    ///
-    /// # Errors
-    ///
-    /// When there are no words of its widths.
+    /// Fails when there are no words of its widths.
     pub fn new(words: &'a TileWords) -> Result<Tile<'a>, FittedError> {
         Ok(Tile {
             format: Format::fitted(&words.widths)?,

@@ -77,10 +77,7 @@ pub struct NoOrder {
 ///
 /// Where two are there the farther one goes first; at equal depth the smaller index counts as nearer, as in the
 /// decider. Of several orders the one whose first differing entry is the smallest index is given.
-///
-/// # Errors
-///
-/// When no order is right on all pixels.
+/// Fails when no order is right on all pixels.
 pub fn order(depths: &[Vec<i64>], z_max: i64) -> Result<Vec<usize>, NoOrder> {
     let goes_before = |a: usize, b: usize| {
         let both = depths[a].iter().zip(&depths[b]);

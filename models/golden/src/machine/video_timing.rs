@@ -2,12 +2,18 @@
 
 use imogene_contract::video::VideoMode;
 
-/// The pixel that is shown at a clock, counted from the beginning of a vertical blanking.
-fn pixel(mode: &VideoMode, clock: u64) -> Option<(u16, u16)> {
+/// What is shown at a clock, counted from the beginning of a vertical blanking.
+fn shown(mode: &VideoMode, clock: u64) -> Option<Shown> {
     let clock = clock % mode.clocks();
     let x = (clock % mode.line.total()).checked_sub(mode.line.blank())?;
     let y = (clock / mode.line.total()).checked_sub(mode.frame.blank())?;
-    Some((x as u16, y as u16))
+    Some(Shown {
+        active: true,
+        start: x == 0 && y == 0,
+        line: x == 0 && y > 0,
+        x: x as u16,
+        y: y as u16,
+    })
 }
 
 /// Levels of `hsync` and `vsync` at a clock. The vertical synchronisation begins and ends where a horizontal one
@@ -85,24 +91,11 @@ impl VideoTiming {
         };
         let (hsync, vsync) = sync(&self.mode, at);
         Timing {
-            now: self.shown(at),
-            ahead: self.shown(at + self.lead),
+            now: shown(&self.mode, at).unwrap_or_default(),
+            ahead: shown(&self.mode, at + self.lead).unwrap_or_default(),
             hsync,
             vsync,
             frame_start: at % self.mode.clocks() == 0,
-        }
-    }
-
-    fn shown(&self, at: u64) -> Shown {
-        match pixel(&self.mode, at) {
-            Some((x, y)) => Shown {
-                active: true,
-                start: x == 0 && y == 0,
-                line: x == 0 && y > 0,
-                x,
-                y,
-            },
-            None => Shown::default(),
         }
     }
 }

@@ -26,22 +26,12 @@ pub enum AsQuadricError {
         "{0} cannot be drawn by a quadric processor; accepted are quadrics, patches, polyhedra and flat facets"
     )]
     Processor(&'static str),
-    /// The chain of planes is too short.
-    #[error("needs {needed} planes; the processor has {available}")]
-    Planes {
-        /// Planes, or sides of a facet.
-        needed: usize,
-        /// Of the processor.
-        available: usize,
-    },
-    /// A facet's depth has more binary places than f1.
-    #[error("the depth of a facet needs {needed} guard bits of f1; the format has {available}")]
-    GuardBits {
-        /// That keep every pixel's depth.
-        needed: u32,
-        /// Of the format.
-        available: u32,
-    },
+    /// The chain is shorter than the planes of an object, or the sides of a facet.
+    #[error("needs {0} planes; the processor has {1}")]
+    Planes(usize, usize),
+    /// Fewer guard bits of f1 than keep the depth of a facet at every pixel.
+    #[error("the depth of a facet needs {0} guard bits of f1; the format has {1}")]
+    GuardBits(u32, u32),
     /// Facets have no words of their own widths.
     #[error(
         "the words of a facet follow from the depth word; of other widths only g1 and g2 are accepted"
@@ -91,7 +81,7 @@ impl VolumeWords {
 
 fn fits(needed: usize, available: usize) -> Result<(), AsQuadricError> {
     if needed > available {
-        return Err(AsQuadricError::Planes { needed, available });
+        return Err(AsQuadricError::Planes(needed, available));
     }
     Ok(())
 }
@@ -138,7 +128,7 @@ fn depth_of_facet(depth: &Linear, format: &Format) -> Result<Linear, AsQuadricEr
     let zeros = (a | b).trailing_zeros().min(places);
     let needed = places - zeros;
     if needed > available {
-        return Err(AsQuadricError::GuardBits { needed, available });
+        return Err(AsQuadricError::GuardBits(needed, available));
     }
     let less = places - available;
     Ok(Linear::new(a >> less, b >> less, c >> less))

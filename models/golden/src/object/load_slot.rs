@@ -2,14 +2,10 @@
 //! ([`imogene_contract::object`]).
 
 use super::load::{Bus, LoadWord};
-use super::polyhedron::PolyhedronWords;
-use super::quadric::{PlaneWords, QuadricWords};
-use super::quotient::QuotientWords;
+use super::quadric::QuadricWords;
 use super::slot::ProcessorWords;
 use crate::format::Format;
 use crate::unit::depth_interval::Class;
-use crate::unit::pe1::Linear;
-use crate::unit::pe2::Quadratic;
 use imogene_contract::object::Kind;
 use imogene_contract::slots::FittedSlot;
 
@@ -33,43 +29,34 @@ pub fn held(words: &[u64], format: &Format, slot: &FittedSlot) -> ProcessorWords
 
 fn blank(kind: Kind) -> ProcessorWords {
     match kind {
-        Kind::Quadric => ProcessorWords::Quadric(QuadricWords::default()),
+        Kind::Quadric => ProcessorWords::Quadric(Default::default()),
         Kind::Patch => ProcessorWords::Patch(QuadricWords {
             class: Class::Patch,
             ..QuadricWords::default()
         }),
-        Kind::Polyhedron => ProcessorWords::Polyhedron(PolyhedronWords::default()),
+        Kind::Polyhedron => ProcessorWords::Polyhedron(Default::default()),
         Kind::Facet => ProcessorWords::Facet(Default::default()),
         Kind::CurvedFacet => ProcessorWords::CurvedFacet(Default::default()),
         Kind::Sphere => ProcessorWords::Sphere(Default::default()),
         Kind::Cylinder => ProcessorWords::Cylinder(Default::default()),
         Kind::FirstGeneration => ProcessorWords::FirstGeneration(Default::default()),
-        Kind::Quotient => ProcessorWords::Quotient(QuotientWords::default()),
+        Kind::Quotient => ProcessorWords::Quotient(Default::default()),
     }
 }
 
 impl ProcessorWords {
     /// Gets planes or sides that cut nothing until there are so many.
     fn take_planes(&mut self, count: usize) {
+        fn fill<T: Clone + Default>(list: &mut Vec<T>, count: usize) {
+            list.resize(count.max(list.len()), T::default());
+        }
         match self {
-            Self::Quadric(QuadricWords { planes, .. })
-            | Self::Patch(QuadricWords { planes, .. })
-            | Self::Polyhedron(PolyhedronWords { planes, .. })
-            | Self::Quotient(QuotientWords { planes, .. }) => {
-                planes.resize(count.max(planes.len()), PlaneWords::default());
-            }
-            Self::Facet(words) => {
-                let count = count.max(words.edges.len());
-                words.edges.resize(count, Linear::default());
-            }
-            Self::CurvedFacet(words) => {
-                let count = count.max(words.sides.len());
-                words.sides.resize(count, Quadratic::default());
-            }
-            Self::Member(words) => {
-                let planes = &mut words.own_mut().planes;
-                planes.resize(count.max(planes.len()), PlaneWords::default());
-            }
+            Self::Quadric(words) | Self::Patch(words) => fill(&mut words.planes, count),
+            Self::Member(words) => fill(&mut words.own_mut().planes, count),
+            Self::Polyhedron(words) => fill(&mut words.planes, count),
+            Self::Quotient(words) => fill(&mut words.planes, count),
+            Self::Facet(words) => fill(&mut words.edges, count),
+            Self::CurvedFacet(words) => fill(&mut words.sides, count),
             Self::Sphere(_) | Self::Cylinder(_) | Self::FirstGeneration(_) => {}
         }
     }

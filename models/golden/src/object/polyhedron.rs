@@ -50,10 +50,7 @@ pub fn latency(planes: usize) -> u32 {
 
 impl PolyhedronWords {
     /// Both faces at pixel (x, y) of the zone.
-    ///
-    /// # Panics
-    ///
-    /// If there is no plane.
+    /// Panics if there is no plane.
     pub fn faces_at(&self, x: i64, y: i64, format: &Format) -> PolyhedronPixel {
         let planes = self.planes.iter().enumerate();
         let leaves = planes.map(|(i, p)| leaf(p.kind, p.depth_at(x, y, format), i, format));

@@ -14,6 +14,7 @@
 //! Where the denominator is zero the line of sight meets a surface nowhere (or lies in it): a patch is absent there, a
 //! solid everywhere or nowhere. Quotients outside the depth word lie nearer than the near end, or behind the eye.
 
+use super::paraboloid::one_face;
 use super::quadric::{PlaneWords, after_root, face_normal};
 use super::screen_box::ScreenBox;
 use super::words::Expression::{First, Second};
@@ -216,7 +217,10 @@ impl QuotientWords {
         let quotient = restoring_quotient(numerator, denominator, format.depth);
         let face = match self.solid {
             true => solid(quotient, numerator, denominator, format),
-            false => surface(quotient, format),
+            false => match quotient {
+                Quotient::Word(z) => one_face(z, FACE_NEAR, true, format),
+                _ => absent,
+            },
         };
         (face, absent)
     }
@@ -229,16 +233,6 @@ impl QuotientWords {
             words.k = words.k.map(|k| -k);
         }
         words
-    }
-}
-
-/// The one face of a surface.
-fn surface(quotient: Quotient, format: &Format) -> Interval {
-    match quotient {
-        Quotient::Word(z) if z >= format.z_low() && z < format.z_max() => {
-            Interval::new((z, FACE_NEAR), (z, FACE_NEAR))
-        }
-        _ => Interval::absent(format),
     }
 }
 

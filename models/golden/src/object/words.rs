@@ -48,16 +48,6 @@ pub enum Expression<'a> {
     Second(&'a mut Quadratic),
 }
 
-impl Expression<'_> {
-    /// The expression at the pixels of a lattice alone.
-    fn move_to(self, pixels: &Lattice) {
-        match self {
-            Expression::First(linear) => *linear = linear.on(pixels),
-            Expression::Second(quadratic) => *quadratic = quadratic.on(pixels),
-        }
-    }
-}
-
 /// The boxes and the expressions among the words of a processor.
 pub type Parts<'a> = (Vec<&'a mut ScreenBox>, Vec<Expression<'a>>);
 
@@ -80,7 +70,29 @@ pub trait Words {
     where
         Self: Clone,
     {
-        self.moved(pixels, |window| window.on(pixels))
+        let mut words = self.clone();
+        let (boxes, expressions) = words.parts_mut();
+        for window in boxes {
+            *window = window.on(pixels);
+        }
+        for expression in expressions {
+            match expression {
+                Expression::First(linear) => *linear = linear.on(pixels),
+                Expression::Second(quadratic) => *quadratic = quadratic.on(pixels),
+            }
+        }
+        words
+    }
+
+    /// Leaves of its boxes what lies in a zone of so many columns and lines.
+    fn crop(&mut self, size: [impl Into<i64>; 2])
+    where
+        Self: Sized,
+    {
+        let [width, height] = size.map(Into::into);
+        for window in self.parts_mut().0 {
+            *window = window.in_zone(0, 0, width, height);
+        }
     }
 
     /// The words for a zone of `width` x `height` pixels whose first pixel is (x0, y0) of the present one.
@@ -88,24 +100,8 @@ pub trait Words {
     where
         Self: Clone,
     {
-        self.moved(&Lattice::zone(x0, y0), |window| {
-            window.in_zone(x0, y0, width, height)
-        })
-    }
-
-    /// The expressions at the pixels of a lattice alone, the boxes as `window` moves them.
-    fn moved(&self, pixels: &Lattice, window: impl Fn(&ScreenBox) -> ScreenBox) -> Self
-    where
-        Self: Clone,
-    {
-        let mut words = self.clone();
-        let (boxes, expressions) = words.parts_mut();
-        for screen_box in boxes {
-            *screen_box = window(screen_box);
-        }
-        for expression in expressions {
-            expression.move_to(pixels);
-        }
+        let mut words = self.on(&Lattice::zone(x0, y0));
+        words.crop([width, height]);
         words
     }
 }

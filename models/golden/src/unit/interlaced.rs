@@ -84,10 +84,7 @@ impl MemoryPe2 {
     }
 
     /// Start of field 0 (lines 0, 2, 4, ..) or 1 (lines 1, 3, 5, ..), any number of times in any order.
-    ///
-    /// # Panics
-    ///
-    /// If the words were loaded for a progressive picture.
+    /// Panics if the words were loaded for a progressive picture.
     pub fn field_start(&mut self, field: u32) {
         use Next::{Hold, Memory};
         for (i, word) in LINE_WORDS.enumerate() {

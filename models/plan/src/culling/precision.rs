@@ -24,11 +24,34 @@ impl Bits {
     /// What an object of the quadric or the patch processor needs on its screen box, from every pixel of it; nothing if
     /// the box is empty.
     pub fn of(words: &QuadricWords, format: &Format) -> Bits {
-        let mut found = Found::default();
+        let [mut sums, mut radicands, mut planes] = [Range::NONE; 3];
+        let mut root = 0;
         for (x, y) in words.screen_box.each() {
-            found.visit(words, format, x, y);
+            let depths = words.probe_at(x, y, format).depths;
+            radicands = radicands.with(depths.f2.into());
+            if depths.f2 >= 0 {
+                root = depths.root.max(root);
+                sums = sums.with(depths.near.into()).with(depths.far.into());
+            }
+            if depths.f2 >= 0 || words.class == Class::Front {
+                for plane in &words.planes {
+                    planes = planes.with(plane.depth.wrapped_at(x, y, format.plane));
+                }
+            }
         }
-        found.bits()
+        let bits = |range: Range| {
+            if range == Range::NONE {
+                0
+            } else {
+                range.bits()
+            }
+        };
+        Bits {
+            sum: bits(sums),
+            quadratic: bits(radicands),
+            root: 64 - root.leading_zeros(),
+            plane: bits(planes),
+        }
     }
 
     /// The greater of each.
@@ -38,46 +61,6 @@ impl Bits {
             quadratic: self.quadratic.max(other.quadratic),
             root: self.root.max(other.root),
             plane: self.plane.max(other.plane),
-        }
-    }
-}
-
-/// Values at the pixels visited so far.
-#[derive(Default)]
-struct Found {
-    sums: Option<Range>,
-    radicands: Option<Range>,
-    root: i64,
-    planes: Option<Range>,
-}
-
-fn join(range: &mut Option<Range>, value: i128) {
-    *range = Some(range.unwrap_or(Range::NONE).with(value));
-}
-
-impl Found {
-    fn visit(&mut self, words: &QuadricWords, format: &Format, x: i64, y: i64) {
-        let depths = words.probe_at(x, y, format).depths;
-        join(&mut self.radicands, depths.f2.into());
-        if depths.f2 >= 0 {
-            self.root = self.root.max(depths.root);
-            join(&mut self.sums, depths.near.into());
-            join(&mut self.sums, depths.far.into());
-        }
-        if depths.f2 >= 0 || words.class == Class::Front {
-            for plane in &words.planes {
-                join(&mut self.planes, plane.depth.wrapped_at(x, y, format.plane));
-            }
-        }
-    }
-
-    fn bits(&self) -> Bits {
-        let bits = |range: &Option<Range>| range.map_or(0, |range| range.bits());
-        Bits {
-            sum: bits(&self.sums),
-            quadratic: bits(&self.radicands),
-            root: 64 - self.root.leading_zeros(),
-            plane: bits(&self.planes),
         }
     }
 }

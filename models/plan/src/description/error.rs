@@ -6,16 +6,11 @@ use thiserror::Error;
 /// Why a description is refused.
 #[derive(Debug, Error)]
 pub enum DescriptionError {
-    /// The file cannot be read.
+    /// The file cannot be read, and the system's reason.
     #[error(
-        "{file}: the machine description cannot be read ({source}); give the path of a readable TOML file"
+        "{0}: the machine description cannot be read ({1}); give the path of a readable TOML file"
     )]
-    Unreadable {
-        /// Path as given.
-        file: String,
-        /// The system's reason.
-        source: std::io::Error,
-    },
+    Unreadable(String, #[source] std::io::Error),
     /// Not a description.
     #[error("{file}:{line}:{column}: {problem}")]
     Syntax {

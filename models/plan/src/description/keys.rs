@@ -81,10 +81,8 @@ pub(super) fn key(name: &str) -> Option<Key> {
 /// The key that a width out of its range belongs to.
 pub(super) fn key_of(problem: &FittedError) -> &'static str {
     match problem {
-        FittedError::Range {
-            word: "depth word", ..
-        } => "depth_word",
-        FittedError::Range { word, .. } if word.contains(" part of a ") => "root_form",
+        FittedError::Range(("depth word", ..)) => "depth_word",
+        FittedError::Range((word, ..)) if word.contains(" part of a ") => "root_form",
         _ => "widths",
     }
 }

@@ -261,10 +261,7 @@ impl MachineDescription {
     }
 
     /// The format of its words.
-    ///
-    /// # Errors
-    ///
-    /// When a width is out of its range, which no description has that was checked.
+    /// Fails when a width is out of its range, which no description has that was checked.
     pub fn format(&self) -> Result<Format, FittedError> {
         Format::fitted(&self.words())
     }
@@ -340,11 +337,8 @@ impl MachineDescription {
 
     /// Words that the loader of a beam machine keeps: if not given, enough for all its processors and their tables.
     pub fn loader_words(&self) -> usize {
-        let slots = self.slots();
-        let words = slots
-            .iter()
-            .map(|slot| slot.kind.words(slot.planes as usize));
-        let objects: usize = words.map(|words| words + 1 + 4).sum();
+        let of_slot = |slot: &FittedSlot| slot.kind.words(slot.planes as usize) + 1 + 4;
+        let objects: usize = self.slots().iter().map(of_slot).sum();
         let volumes = self.volumes * volume::words(self.volume_planes);
         let words = objects + volumes + 8 + 16 * self.lights;
         let words = words.next_power_of_two() * self.modules as usize;

@@ -58,19 +58,13 @@ const MAX_BYTES: u64 = 1 << 20;
 
 impl MachineDescription {
     /// Reads and checks a description.
-    ///
-    /// # Errors
-    ///
-    /// When the file cannot be read, is no description, or a value is out of its range.
+    /// Fails when the file cannot be read, is no description, or a value is out of its range.
     pub fn read(path: &Path) -> Result<MachineDescription, DescriptionError> {
         let file = path.display().to_string();
-        let text = imogene_files::read_text(path, MAX_BYTES).map_err(|source| {
-            DescriptionError::Unreadable {
-                file: file.clone(),
-                source,
-            }
-        })?;
-        Self::parse(&text, &file)
+        match imogene_files::read_text(path, MAX_BYTES) {
+            Ok(text) => Self::parse(&text, &file),
+            Err(source) => Err(DescriptionError::Unreadable(file, source)),
+        }
     }
 
     /// The same of a text; `file` is the name that messages give it.

@@ -2,7 +2,7 @@
 
 use super::error::DescriptionError;
 use super::keys::{MAX_ZONE_PIXELS, SPHERE, key_of, modes};
-use super::machine::{MachineDescription, MachineKind, Output, Smoothing, most_planes};
+use super::machine::{MachineDescription, MachineKind, Output, Smoothing, ZoneSize, most_planes};
 use imogene_contract::object::Kind;
 use imogene_contract::slots::{FittedSlot, Slots};
 use imogene_contract::video::VideoMode;
@@ -11,38 +11,44 @@ use imogene_golden::format::Format;
 use imogene_golden::machine::shader::MOST_LIGHTS;
 use imogene_golden::machine::zone::{MAX_PICTURE, SAMPLES};
 use imogene_golden::object::quadric::{MAX_PLANES, after_root};
-use imogene_golden::unit::root::Method;
 
 /// Pixels of a screen at most.
 const MAX_SCREEN_PIXELS: u64 = 1 << 22;
 /// Pixels of a line at most that a smoothing filter keeps.
 const MAX_FILTERED_LINE: u64 = 2048;
 
-/// Key, value and what would be accepted.
-struct Refusal(&'static str, String, String);
-
 /// Clocks that a quotient begins later than a root.
 const QUOTIENT_CLOCKS: u32 = 2;
+
+/// Key, value and what would be accepted.
+type Refusal = (&'static str, String, String);
 
 type Checked = Result<(), Refusal>;
 
 fn refuse(key: &'static str, value: impl ToString, accepted: impl Into<String>) -> Checked {
-    Err(Refusal(key, value.to_string(), accepted.into()))
+    Err((key, value.to_string(), accepted.into()))
 }
 
-fn range(key: &'static str, value: usize, least: usize, most: usize) -> Checked {
-    match (least..=most).contains(&value) {
+/// Refuses a value unless it is right.
+fn check(
+    is_right: bool,
+    key: &'static str,
+    value: impl ToString,
+    accepted: impl Into<String>,
+) -> Checked {
+    match is_right {
         true => Ok(()),
-        false => refuse(key, value, format!("{least} to {most}")),
+        false => refuse(key, value, accepted),
     }
 }
 
+fn range(key: &'static str, value: usize, least: usize, most: usize) -> Checked {
+    let is_right = (least..=most).contains(&value);
+    check(is_right, key, value, format!("{least} to {most}"))
+}
+
 impl MachineDescription {
-    /// Checks that every value is in its range; `file` is the name that messages give the description.
-    ///
-    /// # Errors
-    ///
-    /// When one is not.
+    /// Fails when a value is out of its range; `file` is the name that messages give the description.
     pub fn check(&self, file: &str) -> Result<(), DescriptionError> {
         self.check_at(&|_| file.to_owned())
     }
@@ -71,7 +77,7 @@ impl MachineDescription {
             self.check_output(&mode)?;
             self.check_kind()
         };
-        checks().map_err(|Refusal(key, value, accepted)| DescriptionError::Value {
+        checks().map_err(|(key, value, accepted)| DescriptionError::Value {
             place: place(key),
             key,
             value,
@@ -107,25 +113,22 @@ impl MachineDescription {
             let accepted = "of the widths g1 and g2 alone, beside slots of other kinds than quadrics and patches";
             return refuse("slots", other.kind.name(), accepted);
         }
-        let widths = format.widths();
-        let mut each = slots.iter();
-        let refused = each.find_map(|slot| Some((slot, slot.refused(&widths)?)));
-        if let Some((slot, (word, _, least, most))) = refused {
-            let accepted = match most {
-                0 => {
-                    "no bits of its own in a slot of another kind than quadrics and patches".into()
+        for slot in slots {
+            match slot.refused(&format.widths()) {
+                None => {}
+                Some((.., 0)) => {
+                    let accepted =
+                        "no bits of its own in a slot of another kind than quadrics and patches";
+                    return refuse("slots", slot, accepted);
                 }
-                _ => format!("{word} of {least} to {most} bits"),
-            };
-            return refuse("slots", slot, accepted);
+                Some((word, _, least, most)) => {
+                    return refuse("slots", slot, format!("{word} of {least} to {most} bits"));
+                }
+            }
         }
-        let counted = |key, value, counted| match value == counted {
-            true => Ok(()),
-            false => refuse(
-                key,
-                value,
-                format!("{counted}, as slots has, or none given"),
-            ),
+        let counted = |key, value, counted| {
+            let accepted = format!("{counted}, as slots has, or none given");
+            check(value == counted, key, value, accepted)
         };
         counted("objects", self.objects, slots.len())?;
         counted("planes", self.planes, most_planes(slots))
@@ -134,19 +137,15 @@ impl MachineDescription {
     fn check_products(&self) -> Checked {
         range("layers", self.layers, 0, MOST_LAYERS as usize)?;
         let (members, layers, slots) = (self.slots_of_products(), self.layers, self.slots());
-        let text = || String::from(self.products.clone());
-        if layers >= slots.len() {
-            let accepted = format!(
-                "fewer than the {} slots, one of which at least is opaque",
-                slots.len()
-            );
-            return refuse("layers", layers, accepted);
-        }
+        let accepted = format!(
+            "fewer than the {} slots, one of which at least is opaque",
+            slots.len()
+        );
+        check(layers < slots.len(), "layers", layers, accepted)?;
         let others = slots.len() - layers;
-        if members > others {
-            let accepted = format!("products of {others} slots in all, as there are");
-            return refuse("products", text(), accepted);
-        }
+        let text = String::from(self.products.clone());
+        let accepted = format!("products of {others} slots in all, as there are");
+        check(members <= others, "products", text, accepted)?;
         let own = &slots[others - members..others];
         match own.iter().find(|slot| slot.kind != Kind::Quadric) {
             Some(other) => {
@@ -161,47 +160,42 @@ impl MachineDescription {
         let Some(sphere) = self.lit_sphere else {
             return Ok(());
         };
-        let nearest = if sphere.nearest {
-            ", nearest = true"
-        } else {
-            ""
-        };
         let (side, materials) = (sphere.side, sphere.materials);
+        let nearest = match sphere.nearest {
+            true => ", nearest = true",
+            false => "",
+        };
         let text = format!("{{ side = {side}, materials = {materials}{nearest} }}");
-        let is_side = [16, 32, 64, 128].contains(&sphere.side);
-        match is_side && sphere.materials > 0 && sphere.has_room(self.lights) {
-            true => Ok(()),
-            false => refuse("lit_sphere", text, SPHERE),
-        }
+        let is_side = [16, 32, 64, 128].contains(&side);
+        let is_right = is_side && materials > 0 && sphere.has_room(self.lights);
+        check(is_right, "lit_sphere", text, SPHERE)
     }
 
     fn check_mode(&self) -> Result<VideoMode, Refusal> {
         let Some(mode) = self.video_mode() else {
             let given = toml::Value::try_from(&self.mode).expect("a name or a table of numbers");
-            return Err(Refusal("mode", given.to_string(), modes()));
+            return Err(("mode", given.to_string(), modes()));
         };
         let pixels = mode.line.active * mode.frame.active;
-        if pixels > MAX_SCREEN_PIXELS {
-            let accepted = format!("screens of up to {MAX_SCREEN_PIXELS} pixels");
-            return Err(Refusal("mode", format!("{pixels} pixels"), accepted));
-        }
+        let accepted = format!("screens of up to {MAX_SCREEN_PIXELS} pixels");
+        let is_right = pixels <= MAX_SCREEN_PIXELS;
+        check(is_right, "mode", format!("{pixels} pixels"), accepted)?;
         Ok(mode)
     }
 
     fn check_samples(&self, mode: &VideoMode) -> Checked {
         let samples = self.supersampling;
-        let refuse = |accepted: &str| refuse("supersampling", samples, accepted);
-        if !SAMPLES.contains(&samples) {
-            return refuse("1, 2 or 4");
-        }
-        if self.machine == MachineKind::Beam && samples != 1 {
-            return refuse("1 in a beam machine; a zone machine has the memory for more");
-        }
+        let check = |is_right, accepted: &str| check(is_right, "supersampling", samples, accepted);
+        check(SAMPLES.contains(&samples), "1, 2 or 4")?;
+        check(
+            self.machine == MachineKind::Zone || samples == 1,
+            "1 in a beam machine; a zone machine has the memory for more",
+        )?;
         let most = u64::from(MAX_PICTURE / samples);
-        if mode.line.active.max(mode.frame.active) > most {
-            return refuse(&format!("on a screen of up to {most} x {most} pixels"));
-        }
-        Ok(())
+        check(
+            mode.line.active.max(mode.frame.active) <= most,
+            &format!("on a screen of up to {most} x {most} pixels"),
+        )
     }
 
     /// True for a beam machine that streams its picture: it may draw as slowly or as fast as it is built for.
@@ -211,76 +205,60 @@ impl MachineDescription {
 
     fn check_root_form(&self) -> Checked {
         let is_serial = self.words().clocks_per_pixel() > 1;
-        if is_serial && (self.pixels_per_clock > 1 || !self.is_beam_stream()) {
-            let accepted = "another form, or output = \"stream\" in a beam machine of one pixel per clock: \
-                            an iterative root takes a clock for each digit";
-            return refuse("root_form", self.root_form, accepted);
-        }
-        Ok(())
+        let accepted = "another form, or output = \"stream\" in a beam machine of one pixel per clock: \
+                        an iterative root takes a clock for each digit";
+        let is_right = !is_serial || self.pixels_per_clock <= 1 && self.is_beam_stream();
+        check(is_right, "root_form", self.root_form, accepted)
+    }
+
+    /// Of a count of 1, 2 or 4, more than one of which a beam machine that streams has alone.
+    fn check_parallel(&self, key: &'static str, count: u32) -> Checked {
+        check([1, 2, 4].contains(&count), key, count, "1, 2 or 4")?;
+        let accepted = "1, or output = \"stream\" in a beam machine";
+        check(count == 1 || self.is_beam_stream(), key, count, accepted)
     }
 
     fn check_lanes(&self, mode: &VideoMode, format: &Format) -> Checked {
-        let (lanes, width) = (self.pixels_per_clock, mode.line.active);
-        let refuse = |accepted: &str| refuse("pixels_per_clock", lanes, accepted);
-        if ![1, 2, 4].contains(&lanes) {
-            return refuse("1, 2 or 4");
-        }
-        if lanes == 1 {
-            return Ok(());
-        }
-        if !self.is_beam_stream() {
-            return refuse("1, or output = \"stream\" in a beam machine");
-        }
+        let (key, lanes) = ("pixels_per_clock", self.pixels_per_clock);
+        self.check_parallel(key, lanes)?;
+        let width = mode.line.active;
         let least = u64::from(lanes * self.longest_processor(format));
-        if !width.is_multiple_of(u64::from(lanes)) || width < least {
-            return refuse(&format!(
-                "on lines of a multiple of {lanes} pixels, and {least} at least: all processors have begun a line before \
-                 the next one begins"
-            ));
-        }
-        Ok(())
+        let accepted = format!(
+            "on lines of a multiple of {lanes} pixels, and {least} at least: all processors have begun a line before \
+             the next one begins"
+        );
+        let fits = width.is_multiple_of(u64::from(lanes)) && width >= least;
+        check(lanes == 1 || fits, key, lanes, accepted)
     }
 
     fn check_modules(&self, mode: &VideoMode) -> Checked {
         let modules = self.modules;
-        let refuse = |accepted: &str| refuse("modules", modules, accepted);
-        if ![1, 2, 4].contains(&modules) {
-            return refuse("1, 2 or 4");
-        }
-        if modules == 1 {
-            return Ok(());
-        }
-        if !self.is_beam_stream() {
-            return refuse("1, or output = \"stream\" in a beam machine");
-        }
+        self.check_parallel("modules", modules)?;
         let (width, height) = (mode.line.active, mode.frame.active);
         let at_once = u64::from(modules * self.pixels_per_clock);
         let lines = u64::from(modules) * self.fields().len() as u64;
-        if !width.is_multiple_of(at_once) || width < 2 * at_once || !height.is_multiple_of(lines) {
-            return refuse(&format!(
-                "on lines of a multiple of {at_once} pixels, more than {at_once}, and a multiple of {lines} lines"
-            ));
-        }
-        Ok(())
+        let accepted = format!(
+            "on lines of a multiple of {at_once} pixels, more than {at_once}, and a multiple of {lines} lines"
+        );
+        let fits = width.is_multiple_of(at_once) && width >= 2 * at_once;
+        let fits = fits && height.is_multiple_of(lines);
+        check(modules == 1 || fits, "modules", modules, accepted)
     }
 
     fn check_fields(&self, mode: &VideoMode) -> Checked {
-        match (
-            self.interlaced,
-            self.is_beam_stream(),
-            mode.frame.active.is_multiple_of(2),
-        ) {
-            (false, ..) | (true, true, true) => Ok(()),
-            (true, false, _) => {
-                let accepted = "false, or output = \"stream\" in a beam machine";
-                refuse("interlaced", true, accepted)
-            }
-            (true, true, false) => {
-                let lines = mode.frame.active;
-                let accepted = "an even number of lines";
-                refuse("interlaced", format!("on {lines} lines"), accepted)
-            }
+        if !self.interlaced {
+            return Ok(());
         }
+        let (key, lines) = ("interlaced", mode.frame.active);
+        let accepted = "false, or output = \"stream\" in a beam machine";
+        check(self.is_beam_stream(), key, true, accepted)?;
+        let value = format!("on {lines} lines");
+        check(
+            lines.is_multiple_of(2),
+            key,
+            value,
+            "an even number of lines",
+        )
     }
 
     /// Clocks that no processor takes more of, with those from the line to its lanes.
@@ -291,48 +269,39 @@ impl MachineDescription {
             true => format.depth.div_ceil(self.rows_per_stage),
             false => 0,
         };
-        let root = Method::of(format.root_form).latency(format.root_rows(), self.rows_per_stage);
-        let root = root.max(digits);
+        let root = format.root_latency(self.rows_per_stage).max(digits);
         let planes = most_planes(&slots).max(self.volume_planes);
         LANES_LATENCY + root + QUOTIENT_CLOCKS + after_root(planes)
     }
 
     fn check_output(&self, mode: &VideoMode) -> Checked {
         let (width, is_smoothed) = (mode.line.active, self.smoothing != Smoothing::None);
-        if width > MAX_FILTERED_LINE && is_smoothed {
-            let accepted = format!("lines of up to {MAX_FILTERED_LINE} pixels");
-            return refuse("smoothing", format!("on lines of {width} pixels"), accepted);
-        }
-        if self.output == Output::Stream && (is_smoothed || self.overlay) {
-            let accepted = "neither smoothing nor overlay, or output = \"pins\"";
-            return refuse("output", "stream", accepted);
-        }
-        Ok(())
+        let value = format!("on lines of {width} pixels");
+        let accepted = format!("lines of up to {MAX_FILTERED_LINE} pixels");
+        let fits = width <= MAX_FILTERED_LINE || !is_smoothed;
+        check(fits, "smoothing", value, accepted)?;
+        let is_plain = !is_smoothed && !self.overlay;
+        let accepted = "neither smoothing nor overlay, or output = \"pins\"";
+        let fits = self.output == Output::Pins || is_plain;
+        check(fits, "output", "stream", accepted)
     }
 
     fn check_kind(&self) -> Checked {
         match (self.machine, self.zone, self.loader_words) {
-            (MachineKind::Zone, Some(zone), None) => {
-                let pixels = zone.width.saturating_mul(zone.height);
-                if (1..=MAX_ZONE_PIXELS).contains(&pixels) {
-                    return Ok(());
-                }
+            (MachineKind::Zone, Some(ZoneSize { width, height }), None) => {
+                let pixels = width.saturating_mul(height);
                 let accepted = format!("zones of 1 to {MAX_ZONE_PIXELS} pixels");
-                refuse(
-                    "zone",
-                    format!("{} x {}", zone.width, zone.height),
-                    accepted,
-                )
+                let fits = (1..=MAX_ZONE_PIXELS).contains(&pixels);
+                check(fits, "zone", format!("{width} x {height}"), accepted)
             }
             (MachineKind::Zone, None, _) => {
                 let accepted = "zone = { width = 32, height = 32 }, in a zone machine";
                 refuse("zone", "missing", accepted)
             }
-            (MachineKind::Zone, _, Some(_)) => refuse(
-                "loader_words",
-                "given",
-                "loader_words in a beam machine alone",
-            ),
+            (MachineKind::Zone, _, Some(_)) => {
+                let accepted = "loader_words in a beam machine alone";
+                refuse("loader_words", "given", accepted)
+            }
             (MachineKind::Beam, Some(_), _) => {
                 refuse("zone", "given", "a zone in a zone machine alone")
             }

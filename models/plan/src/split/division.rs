@@ -136,7 +136,7 @@ impl Piece {
     /// The words of an object or a volume for the piece.
     pub fn words<W: Words + Clone>(&self, words: &W) -> W {
         let mut own = words.on(&self.pixels());
-        *own.screen_box_mut() = self.part_of(words.screen_box());
+        own.crop([self.width, self.height]);
         own
     }
 

@@ -6,6 +6,7 @@ pub use super::share::Part;
 use super::share::{layers, parts, shared_out};
 use crate::culling::Planes;
 pub use crate::products::{ZoneProduct, in_passes};
+use crate::split::Division;
 use imogene_golden::format::Format;
 use imogene_golden::machine::zone::sample::Sample;
 use imogene_golden::machine::zone::{ID_BITS, MAX_PICTURE, ZoneMachine};
@@ -18,7 +19,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
 /// A rectangle of the screen, and what can be seen in it at one sample of its pixels.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Zone {
     /// First column.
     pub x0: u32,
@@ -65,6 +66,12 @@ impl Zone {
     pub(super) fn in_zone<W: Words + Clone>(&self, words: &W) -> W {
         let [x0, y0, width, height] = [self.x0, self.y0, self.width, self.height].map(i64::from);
         words.for_zone(x0, y0, width, height)
+    }
+
+    /// Its pixels on the screen.
+    pub(super) fn window(&self) -> ScreenBox {
+        let [x0, y0, width, height] = [self.x0, self.y0, self.width, self.height].map(i64::from);
+        ScreenBox::of([x0, x0 + width - 1], [y0, y0 + height - 1])
     }
 }
 
@@ -162,7 +169,11 @@ impl ZonePlan {
             materials: vec![],
             objects: scene.objects.len(),
         };
-        plan.assign_parts(alone);
+        for index in 0..alone {
+            for zone in plan.zones_of(plan.parts[index].words.screen_box()) {
+                plan.zones[zone].parts.push(index as u32);
+            }
+        }
         let mut first = alone;
         for [intersected, subtracted] in sizes {
             let middle = first + intersected;
@@ -170,7 +181,11 @@ impl ZonePlan {
             first = middle + subtracted;
         }
         plan.assign_volumes();
-        plan.assign_layers();
+        for index in 0..plan.layers.len() {
+            for zone in plan.zones_of(plan.layers[index].words.screen_box()) {
+                plan.zones[zone].layers.push(index);
+            }
+        }
         Ok(plan)
     }
 
@@ -230,14 +245,6 @@ impl ZonePlan {
         draws
     }
 
-    fn assign_parts(&mut self, alone: usize) {
-        for index in 0..alone {
-            for zone in self.zones_of(self.parts[index].words.screen_box()) {
-                self.zones[zone].parts.push(index as u32);
-            }
-        }
-    }
-
     /// A product to the zones where the boxes of all that it intersects share a place, each object that it takes away
     /// to those of them where it shares it.
     fn assign_product(&mut self, intersected: Range<usize>, subtracted: Range<usize>) {
@@ -245,11 +252,9 @@ impl ZonePlan {
         let boxes = self.parts[intersected.clone()].iter().map(window);
         let common = boxes.reduce(|all, one| all.shared(&one));
         let common = common.unwrap_or(ScreenBox::EMPTY);
-        let reached = |part| self.zones_of(&common.shared(&window(part)));
+        let reached = |part| BTreeSet::from_iter(self.zones_of(&common.shared(&window(part))));
         let taken_away = self.parts[subtracted.clone()].iter().map(reached);
-        let taken_away: Vec<BTreeSet<usize>> = taken_away
-            .map(|zones| zones.into_iter().collect())
-            .collect();
+        let taken_away: Vec<BTreeSet<usize>> = taken_away.collect();
         for zone in self.zones_of(&common) {
             let own = subtracted.clone().zip(&taken_away);
             let own = own.filter(|(_, zones)| zones.contains(&zone));
@@ -271,14 +276,6 @@ impl ZonePlan {
                 if !self.zones[zone].is_empty() {
                     self.zones[zone].volumes.push(index as u32);
                 }
-            }
-        }
-    }
-
-    fn assign_layers(&mut self) {
-        for index in 0..self.layers.len() {
-            for zone in self.zones_of(self.layers[index].words.screen_box()) {
-                self.zones[zone].layers.push(index);
             }
         }
     }
@@ -334,24 +331,20 @@ pub(crate) fn volumes<E>(
 
 /// The screen cut into zones, once for every sample, without anything in them.
 fn zones(width: u32, height: u32, machine: &ZoneMachine) -> Vec<Zone> {
-    let (width, height) = (width / machine.samples, height / machine.samples);
-    let mut zones = vec![];
-    for y0 in (0..height).step_by(machine.zone_height as usize) {
-        for x0 in (0..width).step_by(machine.zone_width as usize) {
-            zones.extend(Sample::all(machine.samples).map(|sample| Zone {
-                x0,
-                y0,
-                width: machine.zone_width.min(width - x0),
-                height: machine.zone_height.min(height - y0),
-                sample,
-                parts: vec![],
-                products: vec![],
-                layers: vec![],
-                volumes: vec![],
-                part_planes: BTreeMap::new(),
-                volume_planes: BTreeMap::new(),
-            }));
-        }
-    }
-    zones
+    let division = Division::Zones {
+        width: machine.zone_width,
+        height: machine.zone_height,
+    };
+    let pieces = division.pieces(width / machine.samples, height / machine.samples);
+    let zones = pieces.into_iter().flat_map(|piece| {
+        Sample::all(machine.samples).map(move |sample| Zone {
+            x0: piece.x0,
+            y0: piece.y0,
+            width: piece.width,
+            height: piece.height,
+            sample,
+            ..Zone::default()
+        })
+    });
+    zones.collect()
 }

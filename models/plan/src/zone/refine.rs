@@ -41,7 +41,12 @@ impl ZonePlan {
         let plans: Vec<ZonePlan> = samples.iter().map(|&s| self.at_sample(s)).collect();
         let one = |zone: Zone| {
             let place = zone.sample.line * zone.sample.of + zone.sample.column;
-            ZoneRefiner::new(&plans[place as usize], zone).refine(refinement)
+            let refiner = ZoneRefiner {
+                plan: &plans[place as usize],
+                window: zone.window(),
+                zone,
+            };
+            refiner.refine(refinement)
         };
         self.zones = zones.into_par_iter().map(one).collect();
         self
@@ -68,12 +73,6 @@ struct ZoneRefiner<'a> {
 }
 
 impl<'a> ZoneRefiner<'a> {
-    fn new(plan: &'a ZonePlan, zone: Zone) -> Self {
-        let [x0, y0, width, height] = [zone.x0, zone.y0, zone.width, zone.height].map(i64::from);
-        let window = ScreenBox::of([x0, x0 + width - 1], [y0, y0 + height - 1]);
-        ZoneRefiner { plan, zone, window }
-    }
-
     fn refine(mut self, refinement: Refinement) -> Zone {
         self.refine_parts(refinement);
         self.refine_products(refinement);

@@ -47,10 +47,7 @@ pub struct Seen<'a> {
 impl<'a> Seen<'a> {
     /// Finds what may be seen of a picture of so many columns and lines; `done` is called about once for each of
     /// [`Framing::frame_steps`](crate::Framing::frame_steps), from any thread.
-    ///
-    /// # Errors
-    ///
-    /// What the checks of a scene refuse.
+    /// Fails on what the checks of a scene refuse.
     pub fn of(
         file: &'a SceneFile,
         size: (u32, u32),
@@ -88,10 +85,7 @@ impl<'a> Seen<'a> {
     }
 
     /// The scene in the camera frame; `done` as in [`Seen::of`].
-    ///
-    /// # Errors
-    ///
-    /// If an object cannot be had where it is placed.
+    /// Fails if an object cannot be had where it is placed.
     pub fn frame(self, done: &(impl Fn() + Sync)) -> Result<FramedScene, SceneError> {
         let Seen {
             scene,

@@ -181,10 +181,8 @@ fn shadow(
     context: &Context,
 ) -> Result<Vec<PreparedVolume>, PrepareError> {
     let name = prepared.name();
-    let parts = places.map_err(|SourceInside| PrepareError::SourceInside {
-        object: name.to_owned(),
-        source_index: source,
-    })?;
+    let inside = |_| PrepareError::SourceInside(name.to_owned(), source);
+    let parts = places.map_err(inside)?;
     let count = parts.len();
     let mut volumes = Vec::new();
     for (index, (beginning, place)) in parts.iter().enumerate() {
@@ -267,7 +265,7 @@ fn seen(
     let objects = scene.objects.par_iter().zip(prepared).enumerate();
     objects
         .map(|(index, (object, p))| {
-            if let Some(known) = known.seen(index) {
+            if let Some(known) = known.objects[index].and_then(|kept| kept.seen) {
                 return known;
             }
             if p.screen_box().is_empty() {

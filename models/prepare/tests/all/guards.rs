@@ -133,7 +133,7 @@ fn guard_bits_reduce_the_depth_error_to_the_floors() {
 fn guard_bits_change_no_range() {
     for depth in Format::CATALOGUE {
         let base = Format::new(depth).expect("in the catalogue");
-        let guards = (64 - base.quadratic).min(Format::MAX_GUARD);
+        let guards = (64 - base.quadratic).min(imogene_contract::words::MOST_GUARD);
         let wide = base.with_guards(4, guards).expect("within limits");
         for radius in [100, 290] {
             let ball = |name| object(name, Surface::Solid, sphere([0, 0, -451], radius), &[]);

@@ -8,7 +8,7 @@ use super::words::LightWords;
 pub(super) struct Light<'a> {
     sight: &'a Sight,
     /// Exactly whether the light stands on the viewer's side of the surface.
-    is_lit: bool,
+    pub is_lit: bool,
     /// Normal times vector to the light, cut.
     along: i64,
     /// Line of sight times vector to the light, cut.
@@ -32,10 +32,6 @@ impl Light<'_> {
             back: dot(sight.ray, kept) << up >> (less + 2),
             light_log: curves.log2(square << (2 * up)),
         }
-    }
-
-    pub fn is_lit(&self) -> bool {
-        self.is_lit
     }
 
     /// The cosine between normal and light, with attenuation.

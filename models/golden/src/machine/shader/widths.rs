@@ -70,10 +70,7 @@ impl ShaderWidths {
     }
 
     /// The same widths with one of [`ShaderWidths::named`] shorter by some bits.
-    ///
-    /// # Panics
-    ///
-    /// When there is no such name.
+    /// Panics when there is no such name.
     #[must_use]
     pub fn shorter(mut self, name: &str, bits: u32) -> Self {
         let own = self.each().into_iter().find(|(own, _)| *own == name);

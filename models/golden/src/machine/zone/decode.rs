@@ -75,10 +75,7 @@ impl Registers {
     }
 
     /// The object.
-    ///
-    /// # Panics
-    ///
-    /// When it is a volume processor.
+    /// Panics when it is a volume processor.
     pub fn object(&self, format: &Format) -> ProcessorWords {
         let slot = self.slot.expect("the slot of an object");
         load_slot::held(&self.words, format, &slot)

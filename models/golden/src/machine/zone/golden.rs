@@ -5,11 +5,12 @@ use super::beat::{Beat, command, kind};
 use super::decode::Registers;
 use super::sample::Sample;
 use crate::format::Format;
+use crate::machine::beam;
 use crate::machine::frame::{Frame, FrameLayer};
 use crate::machine::lighting::{ALL_SOURCES, Lighting};
 use crate::object::member::for_each_seen;
 use crate::object::quadric::{ObjectPixel, QuadricWords};
-use crate::object::slot::ProcessorWords;
+use crate::object::slot::{ProcessorWords, Slot};
 use crate::object::volume_line::for_each_inside;
 use crate::object::words::Words;
 use imogene_contract::object::ProductSlots;
@@ -21,15 +22,8 @@ use thiserror::Error;
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 pub enum StreamError {
     /// No such word, command or unit.
-    #[error("beat {kind}: unit {unit}, address {address} does not exist in this machine")]
-    Address {
-        /// Kind of the beat.
-        kind: u8,
-        /// Its unit.
-        unit: u8,
-        /// Its address.
-        address: u16,
-    },
+    #[error("beat {}: unit {}, address {} does not exist in this machine", .0.kind, .0.unit, .0.address)]
+    Address(Beat),
     /// Commands in an order that has no meaning.
     #[error("{0}")]
     Order(&'static str),
@@ -87,30 +81,6 @@ impl Kept {
     }
 }
 
-/// A transparent object at every pixel of a zone.
-#[derive(Clone, Debug)]
-struct ShownLayer {
-    /// Its place among the layers.
-    place: usize,
-    id: u16,
-    weight: u8,
-    /// Depth and normal.
-    pixels: Vec<(i64, [i16; 3])>,
-}
-
-impl ShownLayer {
-    /// The same object nowhere on a frame.
-    fn absent(&self, frame: &Frame, format: &Format) -> FrameLayer {
-        let pixels = frame.depth.len();
-        FrameLayer {
-            object: self.id.into(),
-            weight: self.weight,
-            depth: vec![format.z_max(); pixels],
-            normal: vec![[0; 3]; pixels],
-        }
-    }
-}
-
 /// What has been done to the zone.
 #[derive(Clone, Copy, Debug, Default)]
 struct Progress {
@@ -127,8 +97,8 @@ pub struct ZoneMachineModel {
     objects: Vec<Registers>,
     products: Vec<ProductSlots>,
     layers: Vec<Registers>,
-    /// The transparent objects of the zone that was shown last.
-    shown: Vec<ShownLayer>,
+    /// The transparent objects of the zone that was shown last, by their places.
+    shown: Vec<Option<FrameLayer>>,
     volumes: Vec<Registers>,
     /// Indices of the materials of objects, as the stream gave them.
     pub materials: BTreeMap<u16, u64>,
@@ -164,11 +134,7 @@ impl ZoneMachineModel {
 
     /// One beat; the pixels that it shows go to `sink`.
     pub fn beat(&mut self, beat: &Beat, sink: impl FnMut(ShownPixel)) -> Result<(), StreamError> {
-        let unknown = || StreamError::Address {
-            kind: beat.kind,
-            unit: beat.unit,
-            address: beat.address,
-        };
+        let unknown = || StreamError::Address(*beat);
         let (unit, address, data) = (usize::from(beat.unit), beat.address, beat.data);
         let write = |registers: Option<&mut Registers>| {
             let is_written = registers.is_some_and(|own| own.write(address, data));
@@ -223,10 +189,15 @@ impl ZoneMachineModel {
                 if std::mem::replace(&mut shown[at], true) {
                     return Err(StreamError::Twice(pixel.x, pixel.y));
                 }
-                for layer in &self.shown {
-                    let own = layers.entry(layer.place);
-                    let own = own.or_insert_with(|| layer.absent(&frame, &self.format));
-                    (own.depth[at], own.normal[at]) = layer.pixels[of_zone];
+                for (place, layer) in self.shown.iter().enumerate() {
+                    let Some(layer) = layer else { continue };
+                    let own = layers.entry(place).or_insert_with(|| FrameLayer {
+                        depth: vec![self.format.z_max(); width * height],
+                        normal: vec![[0; 3]; width * height],
+                        ..*layer
+                    });
+                    own.depth[at] = layer.depth[of_zone];
+                    own.normal[at] = layer.normal[of_zone];
                 }
                 if pixel.depth != self.format.z_max() {
                     frame.depth[at] = pixel.depth;
@@ -273,7 +244,8 @@ impl ZoneMachineModel {
         if first {
             self.buffer = vec![self.background(); self.pixels()];
         }
-        let loaded = (0..self.objects.len()).map(|i| self.loaded(i));
+        let objects = self.objects.iter_mut();
+        let loaded = objects.map(|own| Some((own.id(), words_in(own, self.size, &self.format)?)));
         let mut loaded: Vec<Option<(u16, ProcessorWords)>> = loaded.collect();
         let members: usize = self.products.iter().map(ProductSlots::count).sum();
         let mut members = loaded.split_off(loaded.len() - members).into_iter();
@@ -288,33 +260,17 @@ impl ZoneMachineModel {
         Ok(())
     }
 
-    /// Id and words of an object, if it was loaded since the last pass.
-    fn loaded(&mut self, index: usize) -> Option<(u16, ProcessorWords)> {
-        let registers = &mut self.objects[index];
-        let words = words_in(registers, self.size, &self.format)?;
-        Some((registers.id(), words))
-    }
-
     /// The transparent objects that were loaded since the last zone was shown.
     fn show_layers(&mut self) {
         let (size, format) = (self.size, &self.format);
         let [width, height] = size.map(usize::from);
-        let absent = (format.z_max(), [0; 3]);
-        let layers = self.layers.iter_mut().enumerate();
-        let layers = layers.filter_map(|(place, registers)| {
-            let words = words_in(registers, size, format)?;
-            let mut pixels = vec![absent; width * height];
-            for (y, line) in (0..).zip(pixels.chunks_mut(width)) {
-                words.for_each_present(format, y, |x, pixel| {
-                    line[x as usize] = (pixel.zf, pixel.normal);
-                });
-            }
-            Some(ShownLayer {
-                place,
-                id: registers.id(),
-                weight: registers.weight(),
-                pixels,
-            })
+        let layers = self.layers.iter_mut().map(|registers| {
+            let slot = Slot {
+                object: registers.id().into(),
+                words: words_in(registers, size, format)?,
+                weight: Some(registers.weight()),
+            };
+            beam::layer(&slot, format, width, height)
         });
         self.shown = layers.collect();
     }
@@ -369,8 +325,7 @@ impl ZoneMachineModel {
 
     fn apply_volume(&mut self, index: usize) {
         let mut words = self.volumes[index].volume(&self.format);
-        let [width, height] = self.size.map(i64::from);
-        words.screen_box = words.screen_box.in_zone(0, 0, width, height);
+        words.crop(self.size);
         let width = usize::from(self.size[0]);
         for (y, line) in self.buffer.chunks_mut(width).enumerate() {
             let depths: Vec<i64> = line.iter().map(|kept| kept.depth).collect();
@@ -443,9 +398,7 @@ fn words_in(registers: &mut Registers, size: [u16; 2], format: &Format) -> Optio
         return None;
     }
     let mut words = registers.object(format);
-    let [width, height] = size.map(i64::from);
-    let screen_box = words.screen_box_mut();
-    *screen_box = screen_box.in_zone(0, 0, width, height);
+    words.crop(size);
     Some(words)
 }
 

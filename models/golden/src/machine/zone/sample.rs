@@ -4,7 +4,7 @@ use crate::unit::lattice::Lattice;
 use serde::Serialize;
 
 /// One of the `of x of` samples of every pixel of a zone.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Sample {
     /// Samples along each side of a pixel: 1, 2 or 4.
     pub of: u32,

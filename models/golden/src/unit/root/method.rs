@@ -110,32 +110,18 @@ pub struct RootResult {
     pub remainder: Option<u64>,
 }
 
-impl From<Root> for RootResult {
-    fn from(exact: Root) -> RootResult {
-        RootResult {
-            root: exact.root,
-            remainder: Some(exact.remainder),
-        }
-    }
-}
-
 /// The golden answer of a member to a radicand of `2 root_bits` bits; `root_bits` is 1 to 32.
 pub fn root(method: Method, radicand: u128, root_bits: u32) -> RootResult {
-    let root = match method {
-        Method::Restoring => return restoring_root(radicand, root_bits).into(),
-        Method::NonRestoring => return non_restoring_root(radicand, root_bits).into(),
-        Method::Iterative => return iterative_root(radicand, root_bits).into(),
-        Method::Rows { kept } => rows_root(radicand, root_bits, kept),
-        Method::Leading { kept } => leading_root(radicand, root_bits, kept),
-        Method::Linear { corrections } => {
-            corrected(radicand, linear_estimate(radicand), corrections)
-        }
-        Method::Quadratic { corrections } => {
-            corrected(radicand, quadratic_estimate(radicand), corrections)
-        }
+    let exact = |Root { root, remainder }| (root, Some(remainder));
+    let near = |estimate, corrections| (corrected(radicand, estimate, corrections), None);
+    let (root, remainder) = match method {
+        Method::Restoring => exact(restoring_root(radicand, root_bits)),
+        Method::NonRestoring => exact(non_restoring_root(radicand, root_bits)),
+        Method::Iterative => exact(iterative_root(radicand, root_bits)),
+        Method::Rows { kept } => (rows_root(radicand, root_bits, kept), None),
+        Method::Leading { kept } => (leading_root(radicand, root_bits, kept), None),
+        Method::Linear { corrections } => near(linear_estimate(radicand), corrections),
+        Method::Quadratic { corrections } => near(quadratic_estimate(radicand), corrections),
     };
-    RootResult {
-        root,
-        remainder: None,
-    }
+    RootResult { root, remainder }
 }

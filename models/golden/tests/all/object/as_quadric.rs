@@ -76,7 +76,7 @@ proptest! {
             let format = Format::BASE.with_guards(fewer, 0).unwrap();
             prop_assert_eq!(
                 ProcessorWords::Facet(words).on_quadric_processor(&format, 4),
-                Err(AsQuadricError::GuardBits { needed: guards, available: fewer })
+                Err(AsQuadricError::GuardBits(guards, fewer))
             );
         }
     }
