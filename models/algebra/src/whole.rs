@@ -48,6 +48,5 @@ pub fn common_divisor<const N: usize>(mut values: [&BigInt; N]) -> BigInt {
 /// The greatest magnitude.
 /// Panics if there is no value.
 pub fn greatest<T: Signed + Ord, const N: usize>(values: [&T; N]) -> T {
-    let magnitudes = values.into_iter().map(T::abs);
-    magnitudes.max().expect("a value")
+    values.into_iter().map(T::abs).max().expect("a value")
 }

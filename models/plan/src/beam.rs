@@ -45,19 +45,13 @@ pub enum DisplayError {
     /// The shading processor cannot be loaded.
     #[error(transparent)]
     Shader(#[from] ShaderError),
-    /// More tables of lit-sphere shading than there are.
+    /// Materials and lights with volumes that need more tables of lit-sphere shading than there are of the smallest
+    /// side.
     #[error(
-        "{materials} materials, {lights} lights with shadows: lit-sphere shading has {most} tables at most, one for each \
-         material and twice as many for each of these lights; without lit_sphere the machine takes them"
+        "{0} materials, {1} lights with shadows: lit-sphere shading has {2} tables at most, one for each material and \
+         twice as many for each of these lights; without lit_sphere the machine takes them"
     )]
-    Tables {
-        /// Materials.
-        materials: usize,
-        /// Lights with volumes.
-        lights: usize,
-        /// Tables of the smallest side.
-        most: u32,
-    },
+    Tables(usize, usize, u32),
     /// The picture has another size than the screen, in samples.
     #[error("a picture of {}x{} on a screen of {}x{}; frame the scene for the screen", .0.0, .0.1, .1.0, .1.1)]
     Size((u32, u32), (u32, u32)),
@@ -115,8 +109,7 @@ pub(super) fn zone_slots(
     let members = prepared.solids.slots.iter().map(|slot| {
         let words = &slot.words;
         let words = words.on_quadric_processor(&prepared.format, MAX_PLANES);
-        let words = words.map_err(|why| refused(name(slot), why))?;
-        Ok(words.planes.len() as u32)
+        Ok(words.map_err(|why| refused(name(slot), why))?.planes.len() as u32)
     });
     let members: Vec<u32> = members.collect::<Result<_>>()?;
     Ok((alone.collect::<Result<_>>()?, members.into_iter().max()))

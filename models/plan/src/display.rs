@@ -135,8 +135,7 @@ pub fn zone_plan(
     refinement: Refinement,
 ) -> Result<ZonePlan> {
     let shading = shading_words(&shader(scene, &prepared.format, machine)?, machine);
-    let materials = material_numbers(scene);
-    let materials = materials.into_iter().map(u32::from).collect();
+    let materials = material_numbers(scene).into_iter().map(u32::from).collect();
     let plan = ZonePlan::of(prepared, machine.zone_machine())?;
     Ok(plan.refined(refinement).shaded(shading, materials)?)
 }
@@ -157,8 +156,7 @@ fn finished(
     let pixels: Vec<[u8; 3]> = pixels.collect();
     let width = frame.width / machine.supersampling as usize;
     let lines: Vec<Vec<[u8; 3]>> = pixels.chunks(width).map(<[_]>::to_vec).collect();
-    let kernel = machine.smoothing.kernel();
-    kernel.picture(&lines).concat().concat()
+    machine.smoothing.kernel().picture(&lines).concat().concat()
 }
 
 /// The picture whose pixels are the means of `samples x samples` of the given one, of so many samples a line.

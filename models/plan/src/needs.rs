@@ -219,11 +219,7 @@ fn add_tables(machine: &mut MachineDescription, (framed, prepared): Scene) -> Re
     while !sphere.has_room(lights) {
         if sphere.side <= SMALLEST_SIDE {
             let most = sphere.most_tables();
-            return Err(DisplayError::Tables {
-                materials,
-                lights,
-                most,
-            });
+            return Err(DisplayError::Tables(materials, lights, most));
         }
         sphere.side /= 2;
     }

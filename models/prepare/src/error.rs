@@ -81,13 +81,8 @@ pub enum PrepareError {
     )]
     AsymptoticView(String),
     /// An accumulator would leave its width on the object's screen box.
-    #[error("object '{object}': {}", excess.on("the object's"))]
-    TooLarge {
-        /// Name of the object.
-        object: String,
-        /// What leaves which word.
-        excess: Excess,
-    },
+    #[error("object '{}': {}", .0, .1.on("the object's"))]
+    TooLarge(String, Excess),
     /// A fitted machine has quadric processors alone.
     #[error(
         "object '{0}': drawn by a processor whose widths all follow from the depth word; \
@@ -113,16 +108,10 @@ pub enum PrepareError {
         /// What is in the way.
         problem: &'static str,
     },
-    /// A plane too steep for the plane word, and not provably a perpendicular one.
-    #[error("object '{object}', cut {plane}: the plane {steep}; turn the plane by a degree")]
-    SteepPlane {
-        /// Name of the object.
-        object: String,
-        /// Index of the cut, from 0.
-        plane: usize,
-        /// How steep.
-        steep: Steep,
-    },
+    /// A plane of an object, by the index of the cut from 0, too steep for the plane word, and not provably a
+    /// perpendicular one.
+    #[error("object '{0}', cut {1}: the plane {2}; turn the plane by a degree")]
+    SteepPlane(String, usize, Steep),
     /// A solid whose trees multiply out to too much.
     #[error(
         "solid '{0}': as a union of products it needs more than {MOST_OBJECTS} processors; fewer unions that are \
@@ -135,16 +124,9 @@ pub enum PrepareError {
          possible; several solids beside each other, each with a part of the holes, would do", .0, .1[0], .1[1]
     )]
     Product(String, [usize; 2]),
-    /// An object that cannot be a part of a solid as it is seen.
-    #[error("solid '{solid}': object '{object}' {problem}")]
-    Member {
-        /// Name of the solid.
-        solid: String,
-        /// Name of the object.
-        object: String,
-        /// What is in the way.
-        problem: String,
-    },
+    /// A solid, an object that cannot be a part of it as it is seen, and what is in the way.
+    #[error("solid '{0}': object '{1}' {2}")]
+    Member(String, String, String),
     /// An object that cannot be transparent, and what is in the way.
     #[error("object '{0}': {1}")]
     Transparent(String, String),
@@ -160,19 +142,12 @@ pub enum PrepareError {
          `imogene machine`, `imogene fit` and `imogene render` take the scene"
     )]
     Composed(String),
-    /// A solid casts no shadow.
+    /// A solid casts no shadow: an object in it, and the index of a light with shadows.
     #[error(
-        "solid '{solid}': lights[{light}] has shadows, and that of object '{object}' would not be the solid's; give the \
-         object `casts_shadow = false`"
+        "solid '{0}': lights[{2}] has shadows, and that of object '{1}' would not be the solid's; give the object \
+         `casts_shadow = false`"
     )]
-    SolidShadow {
-        /// Name of the solid.
-        solid: String,
-        /// Name of an object in it.
-        object: String,
-        /// Index of a light with shadows.
-        light: usize,
-    },
+    SolidShadow(String, String, usize),
     /// A source with shadows, by its index, stands in a solid that casts one.
     #[error(
         "object '{0}': lights[{1}] is inside this solid (or the solid is endless towards it), which would leave all \
@@ -188,23 +163,16 @@ pub enum PrepareError {
     /// An accumulator of a volume would leave its width on the volume's screen box.
     #[error("{}: {}; the volume may be left out: {WITHOUT}", .0, .1.on("its"))]
     VolumeTooLarge(String, Excess),
-    /// A plane of a volume too steep for the plane word, and not provably a perpendicular one.
-    #[error("{volume}: its plane {plane} {steep}; leave the volume out: {WITHOUT}")]
-    VolumeSteepPlane {
-        /// The volume.
-        volume: String,
-        /// Index of the plane, from 0.
-        plane: usize,
-        /// How steep.
-        steep: Steep,
-    },
+    /// The same of a volume.
+    #[error("{0}: its plane {1} {2}; leave the volume out: {WITHOUT}")]
+    VolumeSteepPlane(String, usize, Steep),
 }
 
 impl PrepareError {
     /// The refusal of an object's words, said of a volume.
     pub(super) fn in_volume(self, volume: &str) -> PrepareError {
         match self {
-            Self::TooLarge { excess, .. } => Self::VolumeTooLarge(volume.to_owned(), excess),
+            Self::TooLarge(_, excess) => Self::VolumeTooLarge(volume.to_owned(), excess),
             other => other,
         }
     }
@@ -218,17 +186,15 @@ pub(super) fn too_large(
     available: u32,
     window: &ScreenBox,
 ) -> PrepareError {
-    PrepareError::TooLarge {
-        object: object.to_string(),
-        excess: Excess {
-            word: word.to_string(),
-            log2: log2(magnitude),
-            needed: signed_bits(magnitude),
-            available,
-            window: *window,
-            remedy: Box::default(),
-        },
-    }
+    let excess = Excess {
+        word: word.to_string(),
+        log2: log2(magnitude),
+        needed: signed_bits(magnitude),
+        available,
+        window: *window,
+        remedy: Box::default(),
+    };
+    PrepareError::TooLarge(object.to_string(), excess)
 }
 
 fn log2(magnitude: &BigRational) -> f64 {

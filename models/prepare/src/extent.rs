@@ -37,8 +37,7 @@ impl Extent {
         let radicand: [BigInt; 3] =
             std::array::from_fn(|k| &middle[k] * &middle[k] - &last * cofactor(&matrix, k, k));
         // Without a real point the radicands are negative.
-        let is_real = radicand.iter().all(|r| !r.is_negative());
-        is_real.then_some(Extent {
+        radicand.iter().all(|r| !r.is_negative()).then_some(Extent {
             scale: last,
             middle,
             radicand,

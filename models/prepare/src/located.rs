@@ -113,7 +113,7 @@ fn prepare_cut(
         return as_quotient();
     }
     match object::prepare_quadric(object, projected, place, context) {
-        Err(PrepareError::TooLarge { .. }) if quotient::is_near_eye(object, projected, context) => {
+        Err(PrepareError::TooLarge(..)) if quotient::is_near_eye(object, projected, context) => {
             as_quotient()
         }
         prepared => prepared.map(|prepared| by_its_own(Box::new(prepared))),

@@ -51,7 +51,7 @@ pub(super) fn prepare_quadric(
         exact: Exact::default(),
     };
     let words = depth.words(&object.name, &asked).map_err(|mut refusal| {
-        if let PrepareError::TooLarge { excess, .. } = &mut refusal {
+        if let PrepareError::TooLarge(_, excess) = &mut refusal {
             excess.remedy = remedy(quadric, region, context);
         }
         refusal

@@ -80,11 +80,8 @@ impl Projected {
         let planes = planes.enumerate();
         planes.map(move |(index, ((original, placed), shared))| {
             let plane = placed.words((&self.window, shared), depths, context);
-            let mut plane = plane.map_err(|steep| PrepareError::SteepPlane {
-                object: object.name.clone(),
-                plane: index,
-                steep,
-            })?;
+            let refusal = |steep| PrepareError::SteepPlane(object.name.clone(), index, steep);
+            let mut plane = plane.map_err(refusal)?;
             plane.words.normal = constant_normal(original, context.format.greatest_normal());
             Ok(plane)
         })

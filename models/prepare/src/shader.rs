@@ -62,8 +62,7 @@ pub fn shader_words(scene: &FramedScene, format: &Format) -> Result<ShaderWords,
             }
         }
     };
-    let materials = scene.materials.iter();
-    let materials = materials.map(|m| material(m, scene.ambient));
+    let materials = scene.materials.iter().map(|m| material(m, scene.ambient));
     Ok(ShaderWords {
         depth: format.depth,
         size: [scene.width as u16, scene.height as u16],

@@ -188,11 +188,10 @@ fn refuse_shadows(scene: &FramedScene, solid: &FramedSolid) -> Result<(), Prepar
     let members = solid.tree.objects().into_iter();
     let mut members = members.map(|id| &scene.objects[id]);
     match members.find(|object| object.caster().is_some()) {
-        Some(object) => Err(PrepareError::SolidShadow {
-            solid: solid.name.clone(),
-            object: object.name().to_owned(),
-            light,
-        }),
+        Some(object) => {
+            let (solid, object) = (solid.name.clone(), object.name().to_owned());
+            Err(PrepareError::SolidShadow(solid, object, light))
+        }
         None => Ok(()),
     }
 }
@@ -203,10 +202,8 @@ fn words(
     solid: &FramedSolid,
     context: &Context,
 ) -> Result<QuadricWords, PrepareError> {
-    let refused = |problem: String| PrepareError::Member {
-        solid: solid.name.clone(),
-        object: object.name().to_owned(),
-        problem,
+    let refused = |problem: String| {
+        PrepareError::Member(solid.name.clone(), object.name().to_owned(), problem)
     };
     // What is nowhere on the screen has no words.
     let Some(words) = object.words().into_iter().next() else {
@@ -232,9 +229,10 @@ fn twice_met(words: &QuadricWords, context: &Context) -> Option<(i64, i64)> {
         let (a, b) = words.probe_at(x, y, format).halves;
         a.is_present(format) && b.is_present(format)
     };
-    let mut pixels = words.screen_box.each();
-    let is_front = words.class == Class::Front;
-    is_front.then(|| pixels.find(is_met_twice)).flatten()
+    match words.class {
+        Class::Front => words.screen_box.each().find(is_met_twice),
+        _ => None,
+    }
 }
 
 /// The words of an object seen from behind: every depth is the complement of what it was, so that the back is in

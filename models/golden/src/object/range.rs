@@ -39,8 +39,7 @@ impl Range {
     /// Of a first-degree expression on a window that is not empty: it is least and greatest at corners.
     pub fn of_linear(form: &Linear, window: &ScreenBox) -> Range {
         let line = |y: i64| {
-            let ends = [window.x0, window.x1];
-            ends.map(|x| form.a * i128::from(x) + form.b * i128::from(y) + form.c)
+            [window.x0, window.x1].map(|x| form.a * i128::from(x) + form.b * i128::from(y) + form.c)
         };
         let corners = [line(window.y0), line(window.y1)];
         corners.into_iter().flatten().collect()

@@ -90,8 +90,7 @@ impl ScreenBox {
     /// The part of the box in a zone of `width` x `height` pixels whose first pixel is (x0, y0), in that zone's pixels.
     pub fn in_zone(&self, x0: i64, y0: i64, width: i64, height: i64) -> ScreenBox {
         let zone = ScreenBox::of([0, width - 1], [0, height - 1]);
-        let moved = self.on(&Lattice::zone(x0, y0));
-        moved.shared(&zone).or_empty()
+        self.on(&Lattice::zone(x0, y0)).shared(&zone).or_empty()
     }
 
     /// The part of the box at the pixels of a lattice.

@@ -16,8 +16,7 @@ pub fn everywhere(window: &ScreenBox, holds: &impl Fn(&ScreenBox) -> bool) -> bo
     if columns[1].is_none() && lines[1].is_none() {
         return false;
     }
-    let lines = lines.into_iter().flatten();
-    lines.into_iter().all(|(y0, y1)| {
+    lines.into_iter().flatten().all(|(y0, y1)| {
         let mut columns = columns.into_iter().flatten();
         columns.all(|(x0, x1)| everywhere(&ScreenBox::of([x0, x1], [y0, y1]), holds))
     })

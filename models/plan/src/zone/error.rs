@@ -20,18 +20,9 @@ pub enum PlanError {
     /// An object that its processors cannot draw.
     #[error("object '{0}': {1}")]
     Object(String, AsQuadricError),
-    /// An object that no slot is for.
-    #[error(
-        "object '{object}' needs a slot such as {needed}; the machine has {slots} for objects in no solid"
-    )]
-    NoSlot {
-        /// Name of the object.
-        object: String,
-        /// What would do.
-        needed: FittedSlot,
-        /// What there is.
-        slots: String,
-    },
+    /// An object that no slot is for, what would do, and what there is.
+    #[error("object '{0}' needs a slot such as {1}; the machine has {2} for objects in no solid")]
+    NoSlot(String, FittedSlot, String),
     /// A volume, named by whose it is, that its processors cannot answer for.
     #[error("{0}: {1}")]
     Volume(String, AsQuadricError),

@@ -179,8 +179,7 @@ impl<'a> ZoneRefiner<'a> {
 
     /// `quadrics` are the words of its parts.
     fn bound_volumes(&mut self, quadrics: &[&QuadricWords]) {
-        let parts = self.zone.parts.iter().zip(quadrics);
-        let seen = parts.map(|(&index, words)| {
+        let seen = self.zone.parts.iter().zip(quadrics).map(|(&index, words)| {
             let planes = self.zone.planes_of_part(index) & self.part(index).all_planes();
             Seen::new(words, planes, words.screen_box.shared(&self.window))
         });

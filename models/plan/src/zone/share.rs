@@ -97,10 +97,9 @@ fn part_of(scene: &PreparedScene, slot: Slot, slots: &[FittedSlot]) -> Result<Pa
     let planes = quadrics.map(|slot| slot.planes as usize).max();
     let most = planes.unwrap_or(MAX_PLANES);
     let words = slot.words.on_quadric_processor(&scene.format, most);
-    let no_slot = |needed| PlanError::NoSlot {
-        object: scene.objects[slot.object].name().to_owned(),
-        needed,
-        slots: slots::print(slots),
+    let no_slot = |needed| {
+        let object = scene.objects[slot.object].name().to_owned();
+        PlanError::NoSlot(object, needed, slots::print(slots))
     };
     match (words, needed) {
         (Ok(words), _) if planes.is_some() => {

@@ -25,7 +25,7 @@ use imogene_golden::object::volume::VolumeKind;
 use imogene_scene::{FramedObject, FramedQuadric, FramedScene, Surface};
 use rayon::prelude::*;
 use std::slice::from_ref;
-use words::{Shape, volume_words};
+use words::{unseen, volume_words};
 
 /// Pairs of a source and an object that a scene's preparation has to look at for shadows.
 pub fn pairs(scene: &FramedScene) -> Vec<(usize, usize)> {
@@ -186,18 +186,11 @@ fn shadow(
     let count = parts.len();
     let mut volumes = Vec::new();
     for (index, (beginning, place)) in parts.iter().enumerate() {
-        let shape = Shape {
-            name: format!(
-                "the shadow of object '{name}' from lights[{source}], part {} of {count}",
-                index + 1
-            ),
-            kind: VolumeKind::Shadow,
-            source: source as u8,
-            place,
-            caster: Some((object, *beginning)),
-            face_error: face_error(*beginning, prepared),
-        };
-        let volume = volume_words(&shape, context)?;
+        let part = index + 1;
+        let name =
+            format!("the shadow of object '{name}' from lights[{source}], part {part} of {count}");
+        let unseen = unseen(name, VolumeKind::Shadow, source, Some((object, *beginning)));
+        let volume = volume_words(unseen, place, face_error(*beginning, prepared), context)?;
         if !volume.words.screen_box.is_empty() {
             volumes.push(volume);
         }
@@ -237,15 +230,10 @@ fn spots(
         let (Some(cone), Some(receivers)) = (&framed.cone, receivers) else {
             continue;
         };
-        let shape = Shape {
-            name: format!("the cone of the spot lights[{source}]"),
-            kind: VolumeKind::Light,
-            source: source as u8,
-            place: &VolumePlace::new(&cone.quadric, from_ref(&cone.plane), receivers, context),
-            caster: None,
-            face_error: 0.0,
-        };
-        match volume_words(&shape, context) {
+        let name = format!("the cone of the spot lights[{source}]");
+        let unseen = unseen(name, VolumeKind::Light, source, None);
+        let place = VolumePlace::new(&cone.quadric, from_ref(&cone.plane), receivers, context);
+        match volume_words(unseen, &place, 0.0, context) {
             Ok(volume) => volumes.push(volume),
             Err(reason) => context.leave_out(missing, true, reason)?,
         }

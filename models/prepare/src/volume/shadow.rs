@@ -73,8 +73,7 @@ pub fn shadow_parts(
 
 /// The parts of a mesh's shadow: one of each facet that the source does not see edge-on.
 pub fn mesh_shadow_parts(mesh: &FramedMesh, source: &[BigRational; 4]) -> Vec<ShadowPart> {
-    let facets = mesh.facets.iter().enumerate();
-    let parts = facets.filter_map(|(index, facet)| {
+    let parts = mesh.facets.iter().enumerate().filter_map(|(index, facet)| {
         let everywhere = Matrix4::default();
         let part = Rays::of(everywhere, around(mesh, facet), source).beyond_cut(0)?;
         Some(ShadowPart {

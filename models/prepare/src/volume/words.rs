@@ -21,56 +21,68 @@ use num_traits::{Signed, Zero};
 /// Of a pixel, that much two roundings of a corner take at most.
 const CORNERS: f64 = (1 << SUBPIXEL) as f64;
 
-/// A volume that is to have words.
-pub(super) struct Shape<'a> {
-    pub name: String,
-    pub kind: VolumeKind,
-    pub source: u8,
-    pub place: &'a VolumePlace,
-    pub caster: Option<(usize, Beginning)>,
-    /// Most that the depth of a face can be off, in counts, which the volume begins at; for shadows.
-    pub face_error: f64,
+/// A volume that meets nothing, and has no words yet.
+pub(super) fn unseen(
+    name: String,
+    kind: VolumeKind,
+    source: usize,
+    caster: Option<(usize, Beginning)>,
+) -> PreparedVolume {
+    PreparedVolume {
+        name,
+        caster,
+        words: VolumeWords {
+            kind,
+            source: source as u8,
+            screen_box: ScreenBox::EMPTY,
+            ..VolumeWords::default()
+        },
+        bounds: RoundingBounds::default(),
+        needed: NeededWidths::default(),
+        notes: vec!["meets nothing that can be seen".into()],
+    }
 }
 
-/// The words of a volume where objects can be seen; nothing of it may be there, then its box is empty.
+/// The words of an unseen volume where objects can be seen, if it has a place there. The depth of the face that a shadow
+/// begins at is off by so many counts at most.
 pub(super) fn volume_words(
-    shape: &Shape,
+    unseen: PreparedVolume,
+    place: &VolumePlace,
+    face_error: f64,
     context: &Context,
 ) -> Result<PreparedVolume, PrepareError> {
-    let place = shape.place;
     let VolumePlace { window, depths, .. } = *place;
     if window.is_empty() {
-        return Ok(empty(shape));
+        return Ok(unseen);
     }
-    let mut prepared = if place.is_everywhere {
-        PreparedVolume {
-            notes: vec![],
-            ..empty(shape)
-        }
-    } else {
-        with_quadric(shape, context)?
+    let mut prepared = PreparedVolume {
+        notes: vec![],
+        ..unseen
     };
+    if !place.is_everywhere {
+        add_quadric(&mut prepared, place, context)?;
+    }
     prepared.words.screen_box = window;
     for (index, plane) in place.planes.iter().enumerate() {
         let plane = plane.words((&window, &window), || depths, context);
-        let plane = plane.map_err(|steep| PrepareError::VolumeSteepPlane {
-            volume: shape.name.clone(),
-            plane: index,
-            steep,
-        })?;
+        let refusal = |steep| PrepareError::VolumeSteepPlane(prepared.name.clone(), index, steep);
+        let plane = plane.map_err(refusal)?;
         add_plane(&mut prepared, plane, index);
     }
-    if shape.kind == VolumeKind::Shadow {
-        keep_off_beginning(&mut prepared, shape.face_error);
-        prove_planes(&mut prepared, context).map_err(|error| error.in_volume(&shape.name))?;
+    if prepared.words.kind == VolumeKind::Shadow {
+        keep_off_beginning(&mut prepared, face_error);
+        let proof = prove_planes(&mut prepared, context);
+        proof.map_err(|error| error.in_volume(&prepared.name))?;
     }
     Ok(prepared)
 }
 
-/// The volume with the words of its quadric, without planes.
-fn with_quadric(shape: &Shape, context: &Context) -> Result<PreparedVolume, PrepareError> {
-    let place = shape.place;
-    let refusal = || PrepareError::ViewerOnVolume(shape.name.clone());
+fn add_quadric(
+    prepared: &mut PreparedVolume,
+    place: &VolumePlace,
+    context: &Context,
+) -> Result<(), PrepareError> {
+    let refusal = || PrepareError::ViewerOnVolume(prepared.name.clone());
     let class = class_of(&place.screen).ok_or_else(refusal)?;
     let words = |shift| {
         let asked = Asked {
@@ -81,61 +93,33 @@ fn with_quadric(shape: &Shape, context: &Context) -> Result<PreparedVolume, Prep
             context,
             exact: Exact::default(),
         };
-        place.depth.words(&shape.name, &asked)
+        place.depth.words(&prepared.name, &asked)
     };
-    let (shift, core) = finest(words).map_err(|error| error.in_volume(&shape.name))?;
-    let without = empty(shape);
-    Ok(PreparedVolume {
-        words: VolumeWords {
-            quadric: Some(VolumeQuadric {
-                class,
-                f1: core.f1,
-                f2: core.f2,
-                shift,
-            }),
-            ..without.words
-        },
-        bounds: core.bounds,
-        needed: core.needed,
-        notes: unit_note(shift),
-        ..without
-    })
+    let (shift, core) = finest(words).map_err(|error| error.in_volume(&prepared.name))?;
+    prepared.words.quadric = Some(VolumeQuadric {
+        class,
+        f1: core.f1,
+        f2: core.f2,
+        shift,
+    });
+    (prepared.bounds, prepared.needed) = (core.bounds, core.needed);
+    if shift > 0 {
+        prepared.notes.push(format!(
+            "passes near the viewer: the depths of its quadric are in units of 2^{shift} depth words"
+        ));
+    }
+    Ok(())
 }
 
 /// The finest unit in which the quadric fits its words; the refusal is that of the coarsest.
 fn finest<T>(words: impl Fn(u8) -> Result<T, PrepareError>) -> Result<(u8, T), PrepareError> {
     for shift in 0..MAX_SHIFT {
         match words(shift) {
-            Err(PrepareError::TooLarge { .. }) => {}
+            Err(PrepareError::TooLarge(..)) => {}
             other => return other.map(|found| (shift, found)),
         }
     }
     words(MAX_SHIFT).map(|found| (MAX_SHIFT, found))
-}
-
-fn unit_note(shift: u8) -> Vec<String> {
-    let note = format!(
-        "passes near the viewer: the depths of its quadric are in units of 2^{shift} depth words"
-    );
-    (shift > 0).then_some(note).into_iter().collect()
-}
-
-fn empty(shape: &Shape) -> PreparedVolume {
-    PreparedVolume {
-        name: shape.name.clone(),
-        caster: shape.caster,
-        words: VolumeWords {
-            kind: shape.kind,
-            source: shape.source,
-            screen_box: ScreenBox::EMPTY,
-            margin: 0,
-            quadric: None,
-            planes: vec![],
-        },
-        bounds: RoundingBounds::default(),
-        needed: NeededWidths::default(),
-        notes: vec!["meets nothing that can be seen".into()],
-    }
 }
 
 /// How the unbounded quadric lies to the viewer; `None` if its depth is no square root.

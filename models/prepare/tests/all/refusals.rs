@@ -80,7 +80,7 @@ fn too_large_for_the_format() {
     // A quotient draws it; a machine without one refuses it.
     assert!(prepare_scene(&scene, Format::BASE).is_ok());
     let error = prepare_for_roots(&scene, Format::BASE).expect_err("no processor");
-    let PrepareError::TooLarge { ref excess, .. } = error else {
+    let PrepareError::TooLarge(_, ref excess) = error else {
         panic!("{error}");
     };
     assert!(excess.needed > excess.available);
@@ -106,7 +106,7 @@ fn steep_plane_that_is_no_half_plane() {
     let steep = [100_000, 0, 1, -300];
     let scene = scene(vec![ball([0, 0, 300], 100, &[steep])]);
     let error = prepare_scene(&scene, Format::BASE).expect_err("must be refused");
-    let PrepareError::SteepPlane { ref steep, .. } = error else {
+    let PrepareError::SteepPlane(.., ref steep) = error else {
         panic!("{error}");
     };
     let needed = steep.needed;
