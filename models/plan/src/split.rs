@@ -17,7 +17,6 @@ use imogene_golden::machine::frame::Frame;
 use imogene_golden::machine::lighting::{ALL_SOURCES, Lighting};
 use imogene_golden::object::quadric::ScreenBox;
 use imogene_golden::object::slot::Slot;
-use imogene_golden::object::words::Words;
 use imogene_prepare::PreparedScene;
 use piece::DrawnPiece;
 pub use piece::Work;

@@ -5,7 +5,6 @@ use imogene_contract::Request;
 use imogene_golden::format::Format;
 use imogene_golden::machine::decider;
 use imogene_golden::object::slot::Slot;
-use imogene_golden::object::words::Words;
 use imogene_package::census::{Census, census};
 use imogene_synth::table::{Measured, Table};
 use imogene_verif::unit::words::processor;

@@ -4,7 +4,6 @@ use super::decider;
 use super::frame::{Frame, FrameLayer};
 use crate::format::Format;
 use crate::object::slot::Slot;
-use crate::object::words::Words;
 use crate::slots;
 use imogene_contract::slots::FittedSlot;
 use rayon::prelude::*;

@@ -1,8 +1,6 @@
 //! Golden model of the shading processor (`docs/architecture.md`, section 8): Phong shading of one pixel in integers.
 
-pub mod curve;
-mod curves;
-mod light;
+pub mod curves;
 pub mod lit_sphere;
 mod tables;
 mod view;
@@ -14,11 +12,10 @@ use super::lighting::{ALL_SOURCES, Lighting};
 use super::transparency::{Layer, Seen, stage};
 use curves::Curves;
 use imogene_contract::shading;
-use light::Light;
 use rayon::prelude::*;
 use std::sync::Arc;
 pub use tables::SphereTables;
-use view::Sight;
+use view::{Light, Sight};
 pub use widths::ShaderWidths;
 pub use words::{
     LIGHT_ADDRESS, LightWords, MATERIAL_ADDRESS, MOST_LIGHTS, MOST_MATERIALS, MaterialWords, Pixel,

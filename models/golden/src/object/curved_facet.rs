@@ -22,10 +22,6 @@ pub struct CurvedFacetWords {
 }
 
 impl Words for CurvedFacetWords {
-    fn screen_box(&self) -> &ScreenBox {
-        &self.screen_box
-    }
-
     fn parts_mut(&mut self) -> Parts<'_> {
         let all = self.sides.iter_mut().chain([&mut self.depth]);
         let all = all.chain(&mut self.normal).map(Expression::Second);

@@ -30,10 +30,6 @@ pub struct CylinderWords {
 }
 
 impl Words for CylinderWords {
-    fn screen_box(&self) -> &ScreenBox {
-        &self.screen_box
-    }
-
     fn parts_mut(&mut self) -> Parts<'_> {
         let first = self.sides.iter_mut().chain([&mut self.disc]);
         let second = self.discs.iter_mut().chain([&mut self.body]);

@@ -173,10 +173,6 @@ impl FacetWords {
 }
 
 impl Words for FacetWords {
-    fn screen_box(&self) -> &ScreenBox {
-        &self.screen_box
-    }
-
     fn parts_mut(&mut self) -> Parts<'_> {
         let all = self.edges.iter_mut().chain([&mut self.depth]);
         let all = all.chain(&mut self.normal).map(Expression::First);

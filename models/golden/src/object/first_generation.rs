@@ -53,10 +53,6 @@ pub struct FirstGenerationWords {
 }
 
 impl Words for FirstGenerationWords {
-    fn screen_box(&self) -> &ScreenBox {
-        &self.screen_box
-    }
-
     fn parts_mut(&mut self) -> Parts<'_> {
         let mut all = vec![First(&mut self.f1), Second(&mut self.f2)];
         all.extend(self.normal.g.iter_mut().map(First));

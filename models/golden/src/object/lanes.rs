@@ -4,7 +4,6 @@
 //! instructions: 64-bit words for f2 and the root, 32-bit words for what fits the depth word.
 
 mod half;
-mod pixels;
 mod ramp;
 
 use super::quadric::{ObjectPixel, QuadricWords};
@@ -14,8 +13,7 @@ use crate::unit::pe1::Linear;
 use crate::unit::pe2::Quadratic;
 use crate::unit::root::fast_root;
 use half::{Depths, Ends, Half};
-use pixels::{LANES, Pixels, STEP};
-use ramp::Ramp;
+use ramp::{LANES, Pixels, Ramp, STEP};
 
 /// What the units hand on, lane by lane.
 #[repr(align(64))]

@@ -57,8 +57,7 @@ fn seen_at(
     [x, y]: [i64; 2],
     format: &Format,
 ) -> Option<(usize, ObjectPixel)> {
-    let pixels = objects.iter().map(|words| words.at(x, y, format));
-    let pixels: Vec<ObjectPixel> = pixels.collect();
+    let pixels: Vec<ObjectPixel> = objects.iter().map(|words| words.at(x, y, format)).collect();
     let extents = pixels.iter().enumerate();
     let extents = extents.map(|(place, pixel)| extent(place < intersected, pixel, format));
     let extents: Vec<Extent> = extents.collect();
@@ -94,10 +93,6 @@ pub fn for_each_seen(
 }
 
 impl Words for MemberWords {
-    fn screen_box(&self) -> &ScreenBox {
-        &self.own().screen_box
-    }
-
     fn parts_mut(&mut self) -> Parts<'_> {
         let parts = self.objects.iter_mut().map(QuadricWords::parts_mut);
         let (boxes, expressions): (Vec<_>, Vec<_>) = parts.unzip();

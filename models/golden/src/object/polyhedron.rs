@@ -20,10 +20,6 @@ pub struct PolyhedronWords {
 }
 
 impl Words for PolyhedronWords {
-    fn screen_box(&self) -> &ScreenBox {
-        &self.screen_box
-    }
-
     fn parts_mut(&mut self) -> Parts<'_> {
         let planes = self.planes.iter_mut();
         let expressions = planes.map(|p| Expression::First(&mut p.depth));

@@ -91,10 +91,6 @@ impl QuadricWords {
 }
 
 impl Words for QuadricWords {
-    fn screen_box(&self) -> &ScreenBox {
-        &self.screen_box
-    }
-
     fn parts_mut(&mut self) -> Parts<'_> {
         let depth = [First(&mut self.f1), Second(&mut self.f2)].into_iter();
         let planes = self.planes.iter_mut().map(|plane| &mut plane.depth);

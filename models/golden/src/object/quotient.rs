@@ -163,10 +163,6 @@ impl QuotientWords {
 }
 
 impl Words for QuotientWords {
-    fn screen_box(&self) -> &ScreenBox {
-        &self.screen_box
-    }
-
     fn parts_mut(&mut self) -> Parts<'_> {
         let root = self.root.iter_mut().map(|root| &mut root.discriminant);
         let second = root.chain([&mut self.numerator]).map(Second);

@@ -57,31 +57,18 @@ pub struct Slot {
 }
 
 impl ProcessorWords {
-    fn object(&self) -> &dyn Object {
+    /// Where the object can be on the screen.
+    pub fn screen_box(&self) -> &ScreenBox {
         match self {
-            Self::Quadric(words) | Self::Patch(words) => words,
-            Self::FirstGeneration(words) => words,
-            Self::Polyhedron(words) => words,
-            Self::Facet(words) => words,
-            Self::Sphere(words) => words,
-            Self::Cylinder(words) => words,
-            Self::CurvedFacet(words) => words,
-            Self::Quotient(words) => words,
-            Self::Member(words) => &**words,
-        }
-    }
-
-    fn words_mut(&mut self) -> &mut dyn Words {
-        match self {
-            Self::Quadric(words) | Self::Patch(words) => words,
-            Self::FirstGeneration(words) => words,
-            Self::Polyhedron(words) => words,
-            Self::Facet(words) => words,
-            Self::Sphere(words) => words,
-            Self::Cylinder(words) => words,
-            Self::CurvedFacet(words) => words,
-            Self::Quotient(words) => words,
-            Self::Member(words) => &mut **words,
+            Self::Quadric(words) | Self::Patch(words) => &words.screen_box,
+            Self::FirstGeneration(words) => &words.screen_box,
+            Self::Polyhedron(words) => &words.screen_box,
+            Self::Facet(words) => &words.screen_box,
+            Self::Sphere(words) => &words.screen_box,
+            Self::Cylinder(words) => &words.screen_box,
+            Self::CurvedFacet(words) => &words.screen_box,
+            Self::Quotient(words) => &words.screen_box,
+            Self::Member(words) => &words.own().screen_box,
         }
     }
 
@@ -105,20 +92,34 @@ impl ProcessorWords {
 }
 
 impl Words for ProcessorWords {
-    fn screen_box(&self) -> &ScreenBox {
-        self.object().screen_box()
-    }
-
     fn parts_mut(&mut self) -> Parts<'_> {
-        self.words_mut().parts_mut()
+        match self {
+            Self::Quadric(words) | Self::Patch(words) => words.parts_mut(),
+            Self::FirstGeneration(words) => words.parts_mut(),
+            Self::Polyhedron(words) => words.parts_mut(),
+            Self::Facet(words) => words.parts_mut(),
+            Self::Sphere(words) => words.parts_mut(),
+            Self::Cylinder(words) => words.parts_mut(),
+            Self::CurvedFacet(words) => words.parts_mut(),
+            Self::Quotient(words) => words.parts_mut(),
+            Self::Member(words) => words.parts_mut(),
+        }
     }
 }
 
 impl Object for ProcessorWords {
     fn at(&self, x: i64, y: i64, format: &Format) -> ObjectPixel {
         match self {
+            Self::Quadric(words) => words.at(x, y, format),
             Self::Patch(words) => patch::at(words, x, y, format),
-            _ => self.object().at(x, y, format),
+            Self::FirstGeneration(words) => words.at(x, y, format),
+            Self::Polyhedron(words) => words.at(x, y, format),
+            Self::Facet(words) => words.at(x, y, format),
+            Self::Sphere(words) => words.at(x, y, format),
+            Self::Cylinder(words) => words.at(x, y, format),
+            Self::CurvedFacet(words) => words.at(x, y, format),
+            Self::Quotient(words) => words.at(x, y, format),
+            Self::Member(words) => words.at(x, y, format),
         }
     }
 }

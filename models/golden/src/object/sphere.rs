@@ -30,10 +30,6 @@ pub struct SphereWords {
 }
 
 impl Words for SphereWords {
-    fn screen_box(&self) -> &ScreenBox {
-        &self.screen_box
-    }
-
     fn parts_mut(&mut self) -> Parts<'_> {
         let second = [&mut self.contour, &mut self.front, &mut self.normal_z];
         let first = self.normal.iter_mut().map(Expression::First);

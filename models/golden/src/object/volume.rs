@@ -132,10 +132,6 @@ pub const fn polyhedral_latency() -> u32 {
 }
 
 impl Words for VolumeWords {
-    fn screen_box(&self) -> &ScreenBox {
-        &self.screen_box
-    }
-
     fn parts_mut(&mut self) -> Parts<'_> {
         let planes = self.planes.iter_mut().map(|plane| First(&mut plane.depth));
         let quadric = self.quadric.iter_mut();

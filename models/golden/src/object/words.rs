@@ -53,9 +53,6 @@ pub type Parts<'a> = (Vec<&'a mut ScreenBox>, Vec<Expression<'a>>);
 
 /// Coefficient words of one processor for one zone. They are moved, not rounded again, so every pixel keeps its value.
 pub trait Words {
-    /// Where the object can be on the screen.
-    fn screen_box(&self) -> &ScreenBox;
-
     /// The boxes of all objects whose words these are, its own first, and all words that depend on where the raster
     /// begins.
     fn parts_mut(&mut self) -> Parts<'_>;

@@ -8,7 +8,6 @@ use imogene_golden::format::Format;
 use imogene_golden::machine::frame::Frame;
 use imogene_golden::object::quadric::{ObjectPixel, PlaneWords, ScreenBox};
 use imogene_golden::object::slot::{ProcessorWords, Slot};
-use imogene_golden::object::words::Words;
 use imogene_golden::unit::depth_interval::{FACE_NEAR_END, FACE_PLANE};
 use imogene_prepare::{PreparedObject, PreparedScene};
 use rayon::prelude::*;

@@ -5,7 +5,6 @@ use crate::split::{Division, Piece};
 use imogene_golden::format::Format;
 use imogene_golden::object::quadric::{MAX_PLANES, QuadricWords, ScreenBox};
 use imogene_golden::object::slot::{ProcessorWords, Slot};
-use imogene_golden::object::words::Words;
 use rayon::prelude::*;
 use serde::Serialize;
 use std::borrow::Cow;

@@ -7,7 +7,7 @@ use imogene_golden::machine::lighting::ALL_SOURCES;
 use imogene_golden::object::quadric::ScreenBox;
 use imogene_golden::object::slot::{ProcessorWords, Slot};
 use imogene_golden::object::volume::{VolumeKind, VolumeWords};
-use imogene_golden::object::words::{Object, Words};
+use imogene_golden::object::words::Object;
 use imogene_prepare::PreparedScene;
 use serde::Serialize;
 

@@ -4,7 +4,6 @@ use super::frames::{Frame, prepared_wide};
 use imogene_golden::machine::frame::Frame as Picture;
 use imogene_golden::object::quadric::ObjectPixel;
 use imogene_golden::object::slot::ProcessorWords;
-use imogene_golden::object::words::Words;
 use imogene_golden::unit::depth_interval::FACE_PLANE;
 use imogene_prepare::{Framing, PreparedScene};
 use imogene_scene::SceneFile;

@@ -10,7 +10,6 @@ use imogene_golden::object::quadric::{
 use imogene_golden::object::slot::ProcessorWords;
 use imogene_golden::object::volume::VolumeWords;
 use imogene_golden::object::volume_line::for_each_inside;
-use imogene_golden::object::words::Words;
 use imogene_golden::unit::cut_plane::PlaneKind;
 use imogene_golden::unit::depth_interval::Class;
 use imogene_golden::unit::normal::NormalWords;

@@ -1,7 +1,6 @@
 //! Lit-sphere shading: a colour of a table by the direction of the normal (`docs/architecture.md`, section 8.4).
 
-use super::curve::Curve;
-use super::curves::dot;
+use super::curves::{Curve, dot};
 use super::tables::SphereTables;
 use super::view;
 use super::words::{Pixel, ShaderWords};

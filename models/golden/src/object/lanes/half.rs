@@ -1,6 +1,6 @@
 //! Depth intervals of all lanes: opened, cut and merged.
 
-use super::pixels::{LANES, Pixels};
+use super::ramp::{LANES, Pixels};
 use crate::format::Format;
 use crate::unit::cut_plane::PlaneKind;
 use crate::unit::depth_interval::{Class, FACE_FAR, FACE_NEAR_END, Interval, halves};

@@ -1,7 +1,28 @@
-//! First-degree expressions along a line, lane after lane.
+//! Lanes, pixels of a line side by side, and first-degree expressions along them.
 
-use super::pixels::Pixels;
 use crate::unit::pe1::Linear;
+use std::ops::Range;
+
+/// Most pixels side by side. Shorter loops would be unrolled, and then not become vector instructions.
+pub(super) const LANES: usize = 64;
+
+/// Lanes in use are a multiple of this, so that no loop has a rest; those beyond the screen box are not handed on.
+pub(super) const STEP: usize = 16;
+
+/// The pixels that the lanes hold: the first one, and how many lanes are in use.
+pub(super) struct Pixels {
+    pub(super) x: i64,
+    pub(super) y: i64,
+    pub(super) used: usize,
+}
+
+impl Pixels {
+    #[inline(always)]
+    pub(super) fn lanes(&self) -> Range<usize> {
+        // The compiler sees here that no index is out of its array.
+        0..self.used.min(LANES)
+    }
+}
 
 /// An expression from the first lane on. The word stands at the top of 64 bits, where it wraps by itself.
 pub(super) struct Ramp {

@@ -1,6 +1,6 @@
 //! The iterative form: one restoring row, used once for each digit (source: 2.3.3).
 
-use super::restoring::Root;
+use super::exact::Root;
 
 /// What the unit shows after a clock edge.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -1,9 +1,8 @@
 //! The family by its members.
 
+use super::exact::{Root, leading_root, non_restoring_root, restoring_root, rows_root};
 use super::iterative::iterative_root;
-use super::non_restoring::non_restoring_root;
 use super::polynomial::{corrected, linear_estimate, quadratic_estimate};
-use super::restoring::{Root, leading_root, restoring_root, rows_root};
 use imogene_contract::RootForm;
 use serde::Serialize;
 use std::fmt;

@@ -8,7 +8,6 @@ use imogene_golden::format::Format;
 use imogene_golden::machine::frame::Frame;
 use imogene_golden::machine::lighting::Lighting;
 use imogene_golden::object::slot::ProcessorWords;
-use imogene_golden::object::words::Words;
 use imogene_plan::split::{Divided, Division};
 use imogene_prepare::{Framing, PreparedScene, prepare};
 use imogene_testkit::{collection, file_prepared, scene_file};

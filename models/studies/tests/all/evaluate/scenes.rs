@@ -1,4 +1,3 @@
-use imogene_golden::object::words::Words;
 use imogene_studies::evaluate::scenes::balls;
 
 #[test]

@@ -1,4 +1,4 @@
-use imogene_golden::machine::shader::curve::Curve;
+use imogene_golden::machine::shader::curves::Curve;
 
 #[test]
 fn a_curve_stays_near_its_function() {
