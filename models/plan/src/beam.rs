@@ -57,7 +57,6 @@ pub enum DisplayError {
     Size((u32, u32), (u32, u32)),
 }
 
-/// What a machine is given, or why it cannot show a scene.
 pub(super) type Result<T, E = DisplayError> = std::result::Result<T, E>;
 
 /// What the machine is told of colours: tables where it has them, and else those of materials alone where it has no
@@ -109,7 +108,8 @@ pub(super) fn zone_slots(
     let members = prepared.solids.slots.iter().map(|slot| {
         let words = &slot.words;
         let words = words.on_quadric_processor(&prepared.format, MAX_PLANES);
-        Ok(words.map_err(|why| refused(name(slot), why))?.planes.len() as u32)
+        let words = words.map_err(|why| refused(name(slot), why))?;
+        Ok(words.planes.len() as u32)
     });
     let members: Vec<u32> = members.collect::<Result<_>>()?;
     Ok((alone.collect::<Result<_>>()?, members.into_iter().max()))
@@ -207,7 +207,6 @@ pub(super) fn volumes(prepared: &PreparedScene, planes: usize) -> Result<Vec<Vol
     })
 }
 
-/// Every part of a scene.
 pub(super) fn placed(
     prepared: &PreparedScene,
     machine: &MachineDescription,

@@ -19,7 +19,6 @@ use imogene_prepare::{PreparedScene, Product};
 use imogene_scene::FramedScene;
 use std::cmp::Reverse;
 
-/// A scene in the camera frame, and its words.
 type Scene<'a, 'b> = (&'a FramedScene, &'b PreparedScene);
 
 /// A product before it has slots.

@@ -154,7 +154,6 @@ pub struct Duplication {
 }
 
 impl Duplication {
-    /// Of these processors on a screen.
     fn of(slots: &[Slot], division: Division, width: u32, height: u32) -> Duplication {
         let pieces = division.pieces(width, height);
         let mut sum = Duplication::default();

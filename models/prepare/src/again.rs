@@ -60,7 +60,6 @@ impl Kept {
         }
     }
 
-    /// Keeps a prepared scene in place of the one before.
     fn keep(
         &mut self,
         scene: &FramedScene,

@@ -51,7 +51,6 @@ impl Options {
     }
 }
 
-/// What all objects of a scene share.
 #[derive(Clone, PartialEq)]
 pub(super) struct Context {
     pub format: Format,

@@ -178,7 +178,6 @@ impl PrepareError {
     }
 }
 
-/// A word that needs more bits than it has.
 pub(super) fn too_large(
     object: &str,
     word: &str,

@@ -60,7 +60,6 @@ impl Extent {
         (middle, (&self.radicand[axis] * 4u32).sqrt())
     }
 
-    /// Integers around the extent along an axis.
     fn integers_around(&self, axis: usize) -> (f64, f64) {
         let (middle, root) = self.doubled(axis, 0);
         let (scale, root): (BigInt, BigInt) = (&self.scale * 2, root + 1);

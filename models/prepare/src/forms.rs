@@ -296,7 +296,6 @@ fn vertex(a: &BigInt, b: &BigInt, c: &BigInt, low: i64, high: i64) -> Option<Big
     met.then(|| quotient(&double * c * 2 - b * b, double * 2))
 }
 
-/// Is `n / d` between the bounds.
 fn is_between(n: &BigInt, d: &BigInt, low: i64, high: i64) -> bool {
     let (from, to) = (d * low, d * high);
     match d.is_negative() {

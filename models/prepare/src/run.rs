@@ -119,7 +119,6 @@ fn prepare_located(
     prepared_scene(scene, context, objects, volumes, missing)
 }
 
-/// The objects, those that are known taken over.
 pub(super) fn prepare_objects(
     scene: &FramedScene,
     located: &Located,

@@ -196,7 +196,6 @@ fn refuse_shadows(scene: &FramedScene, solid: &FramedSolid) -> Result<(), Prepar
     }
 }
 
-/// The words of a member for a quadric processor.
 fn words(
     object: &PreparedObject,
     solid: &FramedSolid,

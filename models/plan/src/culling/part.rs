@@ -26,7 +26,6 @@ pub fn with_planes(words: &QuadricWords, planes: Planes) -> QuadricWords {
     left
 }
 
-/// The same words in a smaller box.
 pub(crate) fn in_box(words: &ProcessorWords, screen_box: ScreenBox) -> ProcessorWords {
     let mut words = words.clone();
     *words.screen_box_mut() = screen_box;

@@ -131,7 +131,6 @@ fn roots(radicand: i128, format: &Format) -> Option<[i128; 2]> {
     Some([-1.0, 1.0].map(|sign| (root + sign * (error + 1.0)).round() as i128))
 }
 
-/// A first-degree expression and a constant.
 pub(super) fn plus(form: &Linear, constant: i128) -> Linear {
     Linear {
         c: form.c + constant,
@@ -139,12 +138,10 @@ pub(super) fn plus(form: &Linear, constant: i128) -> Linear {
     }
 }
 
-/// A first-degree expression times a factor.
 pub(super) fn times(form: &Linear, factor: i128) -> Linear {
     Linear::new(form.a * factor, form.b * factor, form.c * factor)
 }
 
-/// The difference of two first-degree expressions on a window.
 pub(super) fn difference(p: &Linear, q: &Linear, window: &ScreenBox) -> Range {
     Range::of_linear(&Linear::new(p.a - q.a, p.b - q.b, p.c - q.c), window)
 }
@@ -156,7 +153,6 @@ pub(super) fn radicand(f2: &Quadratic, window: &ScreenBox, format: &Format) -> O
     fits.then_some(range.dropped(format.guard_quadratic))
 }
 
-/// A plane on a window.
 pub(super) struct PlaneOn {
     pub kind: PlaneKind,
     /// Its depth in units of `2^-g1` depth words.
@@ -216,7 +212,6 @@ impl<'a> Surface<'a> {
         }
     }
 
-    /// Those of these planes that are known.
     fn known(&self, planes: Planes) -> impl Iterator<Item = (usize, &PlaneOn)> {
         let listed = listed(planes, self.planes.len());
         listed.filter_map(|index| Some((index, self.planes[index].as_ref()?)))

@@ -7,7 +7,6 @@ use imogene_golden::machine::shader::MOST_LIGHTS;
 use imogene_golden::object::quadric::MAX_PLANES;
 use toml::de::DeTable;
 
-/// Pixels of a zone at most.
 pub(super) const MAX_ZONE_PIXELS: u32 = 1 << 14;
 
 /// A key, and what it accepts beside the others of its machine.
@@ -78,7 +77,6 @@ pub(super) fn key(name: &str) -> Option<Key> {
     keys().into_iter().find(|(own, _)| *own == name)
 }
 
-/// The key that a width out of its range belongs to.
 pub(super) fn key_of(problem: &FittedError) -> &'static str {
     match problem {
         FittedError::Range(("depth word", ..)) => "depth_word",

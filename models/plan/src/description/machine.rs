@@ -378,7 +378,6 @@ impl MachineDescription {
     }
 }
 
-/// The most cut planes that one of these has.
 pub(super) fn most_planes(slots: &[FittedSlot]) -> usize {
     let planes = slots.iter().map(|slot| slot.planes as usize);
     planes.max().unwrap_or(0)

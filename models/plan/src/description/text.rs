@@ -9,7 +9,6 @@ use serde::Deserialize;
 use std::path::Path;
 use toml::de::DeTable;
 
-/// A key that has to be given, and is not.
 fn missing(name: &str, file: &str) -> Option<DescriptionError> {
     let (key, accepted) = key(name)?;
     Some(DescriptionError::Value {

@@ -12,7 +12,6 @@ use imogene_golden::machine::shader::MOST_LIGHTS;
 use imogene_golden::machine::zone::{MAX_PICTURE, SAMPLES};
 use imogene_golden::object::quadric::{MAX_PLANES, after_root};
 
-/// Pixels of a screen at most.
 const MAX_SCREEN_PIXELS: u64 = 1 << 22;
 /// Pixels of a line at most that a smoothing filter keeps.
 const MAX_FILTERED_LINE: u64 = 2048;

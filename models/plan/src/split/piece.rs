@@ -108,7 +108,6 @@ impl DrawnPiece {
         self.work.volume_pixels += window.pixels();
     }
 
-    /// Copies the piece to its place on the screen.
     pub(super) fn put_into(&self, screen: &mut Frame, flags: &mut [u16]) {
         let width = self.frame.width;
         for y in 0..self.frame.height {

@@ -5,7 +5,6 @@ use imogene_golden::machine::zone::{ID_BITS, MAX_PICTURE, ZoneMachineError};
 use imogene_golden::object::as_quadric::AsQuadricError;
 use thiserror::Error;
 
-/// What becomes of a scene in a zone machine.
 pub(super) type Result<T = (), E = PlanError> = std::result::Result<T, E>;
 
 /// Why a scene cannot be drawn by a zone machine.

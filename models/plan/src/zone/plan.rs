@@ -68,7 +68,6 @@ impl Zone {
         words.for_zone(x0, y0, width, height)
     }
 
-    /// Its pixels on the screen.
     pub(super) fn window(&self) -> ScreenBox {
         let [x0, y0, width, height] = [self.x0, self.y0, self.width, self.height].map(i64::from);
         ScreenBox::of([x0, x0 + width - 1], [y0, y0 + height - 1])

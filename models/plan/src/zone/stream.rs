@@ -32,7 +32,6 @@ impl ZonePlan {
         self.shading.iter().map(word).chain(materials.map(material))
     }
 
-    /// All beats of one zone.
     fn zone_beats(&self, zone: &Zone, last: bool) -> Vec<Beat> {
         let mut beats = vec![];
         for (index, pass) in self.passes(zone, last).enumerate() {
@@ -120,7 +119,6 @@ impl ZonePlan {
     }
 }
 
-/// Words as beats for a processor.
 fn beat(kind: u8, unit: usize) -> impl Fn(LoadWord) -> Beat {
     move |word| Beat::new(kind, unit as u8, word.address.into(), word.bits)
 }

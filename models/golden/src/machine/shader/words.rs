@@ -113,7 +113,6 @@ impl ShaderWords {
         }
     }
 
-    /// The depth of the background.
     pub(super) fn far_end(&self) -> i64 {
         (1 << (self.depth - 1)) - 1
     }

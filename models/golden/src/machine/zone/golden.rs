@@ -61,7 +61,6 @@ pub struct ShownPixel {
     pub last: bool,
 }
 
-/// What the buffer keeps of a pixel.
 #[derive(Clone, Copy, Debug)]
 struct Kept {
     depth: i64,
@@ -81,7 +80,6 @@ impl Kept {
     }
 }
 
-/// What has been done to the zone.
 #[derive(Clone, Copy, Debug, Default)]
 struct Progress {
     placed: bool,

@@ -9,7 +9,6 @@ const FAR: i32 = FACE_FAR as i32;
 /// The number of the cap has four bits, all ones. As -1 it is below all others, which may then take its place.
 const CAP: i32 = -1;
 
-/// The ends of the range of depths.
 pub(super) struct Ends {
     low: i32,
     max: i32,
