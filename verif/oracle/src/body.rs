@@ -73,11 +73,7 @@ impl Body {
 
 impl CutBody {
     fn new(object: &Object, sight: &Sight) -> CutBody {
-        let Canonical {
-            frame,
-            form,
-            planes,
-        } = canonical(object);
+        let (frame, form, planes) = canonical(object);
         let from_scene = inverse(&placement(&object.place)).expect("checked: no scale is zero");
         let to_own = times(&frame, &from_scene);
         let own = |affine: &Affine| affine.each_ref().map(|v| apply(&to_own, v));
@@ -97,32 +93,22 @@ impl CutBody {
             form: form.map(|form| whole(form.each_ref())),
             planes: planes.iter().flat_map(|plane| whole([plane])).collect(),
         };
+        // Of the cylinder processor's two discs only the front one is seen, and it has the number 2.
+        let discs = matches!(object.drawn_by(), Some(Processor::Paraboloid));
+        let number = |k| if discs { 2 } else { 2 + k };
         CutBody {
             frame: to_own.each_ref().map(about_all),
             surface: object.mode,
             perspective: sight.perspective,
-            numbers: numbers(object, exact.planes.len()),
+            numbers: (0..planes.len() as u8).map(number).collect(),
             exact,
             quick,
         }
     }
 }
 
-/// Face numbers of planes: 2 for the first. Of the cylinder processor's two discs only the front one is seen, and it
-/// has the number 2.
-fn numbers(object: &Object, planes: usize) -> Vec<u8> {
-    let discs = matches!(object.drawn_by(), Some(Processor::Paraboloid));
-    let number = |k| if discs { 2 } else { 2 + k };
-    (0..planes as u8).map(number).collect()
-}
-
-/// An object in its own frame.
-struct Canonical {
-    /// From local coordinates.
-    frame: Matrix,
-    form: Option<Matrix>,
-    planes: Vec<Vector>,
-}
+/// From local coordinates to a frame of an object's own, and its quadric and planes there.
+type Canonical = (Matrix, Option<Matrix>, Vec<Vector>);
 
 fn canonical(object: &Object) -> Canonical {
     if let Shape::TetrahedronPatch { corners, weights } = &object.shape {
@@ -136,11 +122,8 @@ fn canonical(object: &Object) -> Canonical {
         let [x, y, z] = [0, 1, 2].map(|k| &normal[k] * &radii[k]);
         [x, y, z, constant]
     };
-    Canonical {
-        planes: object.cuts.iter().map(plane).collect(),
-        frame: diagonal(radii.each_ref().map(BigRational::recip)),
-        form,
-    }
+    let frame = diagonal(radii.each_ref().map(BigRational::recip));
+    (frame, form, object.cuts.iter().map(plane).collect())
 }
 
 /// The radii that make a family's quadric a canonical one, and that; the matrix of written coefficients; nothing for a
@@ -158,11 +141,7 @@ fn form(shape: &Shape) -> ([f64; 3], Option<Matrix>) {
         Shape::HyperboloidTwoSheets(radii) => (radii, twice([1, -1, 1], none, 1)),
         Shape::EllipticParaboloid(radii) => (radii, twice([1, 0, 1], [0, -1, 0], 0)),
         Shape::HyperbolicParaboloid(radii) => (radii, twice([1, 0, -1], [0, -1, 0], 0)),
-        Shape::Quadric { coefficients } => {
-            let [a, b, c, d, e, f, g, h, i, j] = &coefficients.map(from_decimal);
-            let rows = [[a, d, e, g], [d, b, f, h], [e, f, c, i], [g, h, i, j]];
-            ([1.0; 3], rows.map(|row| row.map(BigRational::clone)))
-        }
+        Shape::Quadric { coefficients } => ([1.0; 3], symmetric(coefficients.map(from_decimal))),
         Shape::Polyhedron | Shape::Mesh(_) | Shape::TetrahedronPatch { .. } => {
             return ([1.0; 3], None);
         }
@@ -171,15 +150,16 @@ fn form(shape: &Shape) -> ([f64; 3], Option<Matrix>) {
 }
 
 /// Twice the canonical quadric: squares of x, y, z, the linear term of y or of z, and the constant.
-fn twice(squares: [i64; 3], linear: [i64; 3], constant: i64) -> Matrix {
-    let mut rows: Matrix = Default::default();
-    for (k, (square, linear)) in squares.into_iter().zip(linear).enumerate() {
-        rows[k][k] = integer(2 * square);
-        rows[k][3] = integer(linear);
-        rows[3][k] = integer(linear);
-    }
-    rows[3][3] = integer(2 * constant);
-    rows
+fn twice([a, b, c]: [i64; 3], [g, h, i]: [i64; 3], constant: i64) -> Matrix {
+    let numbers = [2 * a, 2 * b, 2 * c, 0, 0, 0, g, h, i, 2 * constant];
+    symmetric(numbers.map(integer))
+}
+
+/// The symmetric matrix of ten numbers in the order of the coefficients of a quadric.
+fn symmetric(numbers: [BigRational; 10]) -> Matrix {
+    let [a, b, c, d, e, f, g, h, i, j] = &numbers;
+    let rows = [[a, d, e, g], [d, b, f, h], [e, f, c, i], [g, h, i, j]];
+    rows.map(|row| row.map(BigRational::clone))
 }
 
 /// The barycentric frame: the corners are the unit vectors.
@@ -190,22 +170,13 @@ fn tetrahedron(corners: &[[f64; 3]; 4], weights: &[f64; 10]) -> Canonical {
             _ => from_decimal(corners[corner][row]),
         })
     });
-    let pairs = [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)];
-    let mut form: Matrix = Default::default();
-    for (k, weight) in weights[..4].iter().enumerate() {
-        form[k][k] = from_decimal(*weight);
-    }
-    for ((i, j), weight) in pairs.into_iter().zip(&weights[4..]) {
-        form[i][j] = from_decimal(*weight);
-        form[j][i] = from_decimal(*weight);
-    }
+    // Of the corners, then of the edges 01, 02, 03, 12, 13 and 23.
+    let order = [0, 1, 2, 4, 5, 7, 6, 8, 9, 3];
+    let form = symmetric(order.map(|k| from_decimal(weights[k])));
     // Coordinate i is not negative on the inner side of the face opposite corner i.
     let face = |i: usize| std::array::from_fn(|k| integer(-i64::from(k == i)));
-    Canonical {
-        frame: inverse(&rows).expect("checked: the corners are not in a plane"),
-        form: Some(form),
-        planes: (0..4).map(face).collect(),
-    }
+    let frame = inverse(&rows).expect("checked: the corners are not in a plane");
+    (frame, Some(form), (0..4).map(face).collect())
 }
 
 /// Vectors times one factor, which makes all their numbers whole and leaves them no common divisor.

@@ -40,8 +40,8 @@ impl Sight {
     ///
     /// They go through the places of pixels at which the camera samples.
     pub fn new(camera: &Camera, range: &DepthRange, width: u32, height: u32) -> Sight {
-        let observer = Observer::of(camera);
-        let [right, down, forward] = screen_axes(observer.view, observer.up);
+        let ([eye, target], [view, up]) = observer(camera);
+        let [right, down, forward] = screen_axes(view, up);
         let half_pixel = from_decimal(camera.view_height) / integer(2 * i64::from(height));
         // Through places (X, Y).
         let (mut from, mut along, perspective) = match camera.lens {
@@ -53,14 +53,14 @@ impl Sight {
                 let half_pixel = half_pixel * &distance / from_decimal(viewer_distance);
                 let [right, down] = [right, down].map(|axis| scaled(axis, &half_pixel));
                 let along = [right, down, scaled(forward, &distance)];
-                ([zero(), zero(), observer.eye], along, true)
+                ([zero(), zero(), eye], along, true)
             }
             Lens::Orthographic { .. } => {
                 let far = range.far.as_ref().expect("a parallel view has a far end");
                 let (middle, half) = ((far + &range.near), (far - &range.near));
                 let [middle, half] = [middle, half].map(|length| length / integer(2));
                 let away = scaled(forward.clone(), &middle);
-                let origin = std::array::from_fn(|k| &observer.target[k] + &away[k]);
+                let origin = std::array::from_fn(|k| &target[k] + &away[k]);
                 let [right, down] = [right, down].map(|axis| scaled(axis, &half_pixel));
                 let along = [zero(), zero(), scaled(forward, &half)];
                 ([right, down, origin], along, false)
@@ -157,39 +157,20 @@ fn scaled(axis: [BigRational; 3], factor: &BigRational) -> Vector {
     [x, y, z, BigRational::zero()]
 }
 
-/// Where an observer stands and looks, in scene coordinates.
-struct Observer {
-    eye: Vector,
-    target: Vector,
-    view: [f64; 3],
-    up: [f64; 3],
-}
-
-impl Observer {
-    /// The observer after the steps of its placement; without any its directions are the written numbers.
-    fn of(camera: &Camera) -> Observer {
-        let Camera {
-            eye, target, up, ..
-        } = camera;
-        let steps = &camera.node.place;
-        if steps.is_empty() {
-            return Observer {
-                eye: point(eye),
-                target: point(target),
-                view: [0, 1, 2].map(|k| target[k] - eye[k]),
-                up: *up,
-            };
-        }
-        let matrix = placement(steps);
-        let [eye, target] = [eye, target].map(|at| apply(&matrix, &point(at)));
-        let along = apply(&matrix, &scaled(up.map(from_decimal), &BigRational::one()));
-        Observer {
-            view: [0, 1, 2].map(|k| to_f64(&(&target[k] - &eye[k]))),
-            up: [0, 1, 2].map(|k| to_f64(&along[k])),
-            eye,
-            target,
-        }
+/// Eye and target of an observer, and the directions of view and up, after the steps of the placement; without any the
+/// directions are the written numbers.
+fn observer(camera: &Camera) -> ([Vector; 2], [[f64; 3]; 2]) {
+    let (ends, up) = ([&camera.eye, &camera.target], camera.up);
+    let steps = &camera.node.place;
+    if steps.is_empty() {
+        let view = [0, 1, 2].map(|k| camera.target[k] - camera.eye[k]);
+        return (ends.map(point), [view, up]);
     }
+    let matrix = placement(steps);
+    let ends = ends.map(|at| apply(&matrix, &point(at)));
+    let up = apply(&matrix, &scaled(up.map(from_decimal), &BigRational::one()));
+    let view = [0, 1, 2].map(|k| to_f64(&(&ends[1][k] - &ends[0][k])));
+    (ends, [view, [0, 1, 2].map(|k| to_f64(&up[k]))])
 }
 
 /// The dual of the axes right, down and forward.

@@ -197,18 +197,17 @@ pub fn compare(pictures: &Pictures) -> (Comparison, Vec<Mark>) {
     });
     let judges: Vec<Judge> = judges.collect();
     let width = first.traced.width;
-    let mut marks: Vec<Vec<Mark>> = vec![];
+    let mut marks = vec![Mark::Alike; found.pixels];
     for judge in &judges {
-        let pixels = (0..found.pixels).map(|index| (index % width, index / width));
-        marks.push(pixels.map(|at| judge.pixel(&mut found, at)).collect());
+        for (index, mark) in marks.iter_mut().enumerate() {
+            let at = (index % width, index / width);
+            *mark = judge.pixel(&mut found, at).max(*mark);
+        }
     }
-    let of = |index: usize| marks.iter().map(|marks| marks[index]).max();
-    let merged = (0..found.pixels).map(|index| of(index).expect("the first"));
-    let mut merged: Vec<Mark> = merged.collect();
     if let Some(painted) = &pictures.painted {
-        found.add_colours(&judges, painted, &mut merged);
+        found.add_colours(&judges, painted, &mut marks);
     }
-    (found, merged)
+    (found, marks)
 }
 
 /// Both pictures, and what their pixels are judged by.
@@ -235,16 +234,17 @@ impl Judge<'_> {
                 found.mask_differences_inside += usize::from(mask);
                 return Mark::Inside;
             }
-            let mark = self.outside(&one, seen, (x, y));
-            match mark {
-                Mark::Tied => found.tied += 1,
-                Mark::Announced => found.announced += 1,
-                _ => {
-                    found.differences_outside += 1;
-                    found.list(difference);
-                }
+            if seen.is_some_and(|traced| self.is_tied(&one, &traced, (x, y))) {
+                found.tied += 1;
+                return Mark::Tied;
             }
-            return mark;
+            if self.pair.jury.is_undecided(x as i64, y as i64) {
+                found.announced += 1;
+                return Mark::Announced;
+            }
+            found.differences_outside += 1;
+            found.list(difference);
+            return Mark::Outside;
         }
         let alike = if in_band { Mark::Band } else { Mark::Alike };
         let Some(pixel) = seen else { return alike };
@@ -290,17 +290,6 @@ impl Judge<'_> {
             },
             bound: None,
             colour: None,
-        }
-    }
-
-    /// What a pixel is that differs outside the band.
-    fn outside(&self, golden: &Seen, traced: Option<TracedPixel>, at: (usize, usize)) -> Mark {
-        if traced.is_some_and(|traced| self.is_tied(golden, &traced, at)) {
-            Mark::Tied
-        } else if self.pair.jury.is_undecided(at.0 as i64, at.1 as i64) {
-            Mark::Announced
-        } else {
-            Mark::Outside
         }
     }
 

@@ -118,20 +118,18 @@ fn mark_notches(buffers: &Buffers, found: &mut [Crack]) {
     let index = |c: &Crack| c.y * buffers.width + c.x;
     let flagged: HashMap<usize, usize> = found.iter().map(index).zip(0..).collect();
     let face = &buffers.face;
-    let alike = |pixel: usize| -> Vec<usize> {
+    let alike = |pixel: usize| {
         let about = about(pixel, buffers.width, buffers.height);
-        let alike = about.filter(|&other| other != pixel && face[other] == face[pixel]);
-        alike.collect()
+        about.filter(move |&other| other != pixel && face[other] == face[pixel])
     };
-    let touches = |c: &Crack| alike(index(c)).iter().any(|i| !flagged.contains_key(i));
+    let touches = |c: &Crack| alike(index(c)).any(|i| !flagged.contains_key(&i));
     let mut open: Vec<usize> = (0..found.len()).filter(|&k| touches(&found[k])).collect();
     while let Some(k) = open.pop() {
         if found[k].notch {
             continue;
         }
         found[k].notch = true;
-        let beside = alike(index(&found[k]));
-        open.extend(beside.iter().filter_map(|i| flagged.get(i)));
+        open.extend(alike(index(&found[k])).filter_map(|i| flagged.get(&i)));
     }
 }
 

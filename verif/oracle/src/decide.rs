@@ -83,7 +83,9 @@ impl CutBody {
                 };
                 let square = square_of(&s);
                 let discriminant = std::array::from_fn(|k| square[k] - constant * other[k]);
-                [r, s, t, discriminant].map(|of| range(&of, (u, v)))
+                [r, s, t, discriminant].map(|[a, b, c, d, e, f]| {
+                    a + b * u + c * v + d * u.square() + e * (u * v) + f * v.square()
+                })
             }
         };
         Line {
@@ -112,7 +114,11 @@ impl CutBody {
                 }
                 bounds.open |= at.hi > 0.0;
             } else if slope.hi < 0.0 {
-                bounds.enter(-at / slope, number);
+                let at = -at / slope;
+                if !at.not_above(bounds.start) {
+                    bounds.number = bounds.start.below(at).then_some(number);
+                    bounds.start = bounds.start.max(at);
+                }
             } else if slope.lo > 0.0 {
                 bounds.end = bounds.end.min(-at / slope);
             } else {
@@ -164,23 +170,15 @@ impl CutBody {
         }
         let kept = entry.not_above(end) && entry.hi < cell.last;
         let (lo, hi) = (entry.lo.max(start.lo), entry.hi);
-        match self.solid_number(line) {
-            Some(number) if there && enters && kept => hit(Interval { lo, hi }, number),
-            _ if enters => Verdict::Open(lo),
-            _ => open,
-        }
-    }
-
-    /// The face through which a line enters the volume: the far one if the other comes before it. In perspective the
-    /// order is that of the depth, in which points behind the eye come after infinity.
-    fn solid_number(&self, line: &Line) -> Option<u8> {
-        let (r, t) = (line.r, line.t);
+        // It enters through the far face if the other comes before it. In perspective the order is that of the depth,
+        // in which points behind the eye come after infinity.
         let far = r.hi < 0.0 && (!self.perspective || t.hi < 0.0);
         let near = r.lo >= 0.0 || (self.perspective && t.lo > 0.0);
-        match (near, far) {
-            (true, _) => Some(FACE_NEAR),
-            (_, true) => Some(FACE_FAR),
-            _ => None,
+        match enters {
+            true if there && kept && near => hit(Interval { lo, hi }, FACE_NEAR),
+            true if there && kept && far => hit(Interval { lo, hi }, FACE_FAR),
+            true => Verdict::Open(lo),
+            false => open,
         }
     }
 
@@ -252,16 +250,6 @@ struct Bounds {
     open: bool,
 }
 
-impl Bounds {
-    fn enter(&mut self, at: Interval, number: u8) {
-        if at.not_above(self.start) {
-            return;
-        }
-        self.number = self.start.below(at).then_some(number);
-        self.start = self.start.max(at);
-    }
-}
-
 /// Both roots in ascending order, where R is not zero and the discriminant not negative.
 fn roots(line: &Line) -> [Interval; 2] {
     let (r, s, t) = (line.r, line.s, line.t);
@@ -305,8 +293,4 @@ fn mixed(form: &[Point; 4], [m, ma, mb]: [&Point; 3], [n, na, nb]: [&Point; 3]) 
 fn square_of([a, b, c, ..]: &Polynomial) -> Polynomial {
     let [ab, ac, bc] = [(a, b), (a, c), (b, c)].map(|(u, v)| TWO * *u * *v);
     [a.square(), ab, ac, b.square(), bc, c.square()]
-}
-
-fn range([a, b, c, d, e, f]: &Polynomial, (u, v): (Interval, Interval)) -> Interval {
-    *a + *b * u + *c * v + *d * u.square() + *e * (u * v) + *f * v.square()
 }

@@ -85,11 +85,11 @@ impl Author {
 
     /// Balls of glass about one point, the smallest or the greatest first.
     fn balls(&mut self) -> String {
-        let (at, mut radius) = (list(&self.vector(1.0)), self.between(0.8, 1.5));
+        let (at, mut radius) = (self.vector(1.0), self.between(0.8, 1.5));
         let mut balls = vec![];
         for index in 0..self.random.random_range(2..=3) {
             balls.push(format!(
-                "\n[[objects]]\nname = \"g{index}\"\nkind = \"sphere\"\nradius = {radius}\nmaterial = \"glass\"\nplace = [{{ translate = {at} }}]\n"
+                "\n[[objects]]\nname = \"g{index}\"\nkind = \"sphere\"\nradius = {radius}\nmaterial = \"glass\"\nplace = [{{ translate = {at:?} }}]\n"
             ));
             radius = rounded(radius * self.between(0.4, 0.9));
         }
@@ -118,8 +118,7 @@ impl Author {
             let depth = self.between(3.0, 8.0);
             format!("kind = \"orthographic\"\nhalf_depth = {depth}\nview_height = {height}")
         };
-        let (eye, target) = (list(&eye), list(&target));
-        format!("\n[camera]\neye = {eye}\ntarget = {target}\n{seen}\n")
+        format!("\n[camera]\neye = {eye:?}\ntarget = {target:?}\n{seen}\n")
     }
 
     fn object(&mut self, index: usize, material: &str) -> String {
@@ -151,12 +150,12 @@ impl Author {
         if self.one_in(2) {
             return format!("kind = \"sphere\"\nradius = {}", self.size());
         }
-        format!("kind = \"ellipsoid\"\nradii = {}", self.sizes(3))
+        format!("kind = \"ellipsoid\"\nradii = {:?}", self.sizes(3))
     }
 
     fn round_an_axis(&mut self) -> (String, Vec<String>) {
         let (kind, count) = ROUND_AN_AXIS[self.random.random_range(0..ROUND_AN_AXIS.len())];
-        let shape = format!("kind = \"{kind}\"\nradii = {}", self.sizes(count));
+        let shape = format!("kind = \"{kind}\"\nradii = {:?}", self.sizes(count));
         let (from, to) = (-self.size(), self.size());
         let from = match kind {
             "cone" if self.one_in(2) => 0.0,
@@ -173,9 +172,9 @@ impl Author {
         let parameters = match count {
             0 => {
                 let factors = [(); 10].map(|()| self.between(-1.0, 1.0));
-                format!("coefficients = {}", list(&factors))
+                format!("coefficients = {factors:?}")
             }
-            n => format!("radii = {}", self.sizes(n)),
+            n => format!("radii = {:?}", self.sizes(n)),
         };
         (format!("kind = \"{kind}\"\n{parameters}"), self.walls())
     }
@@ -195,7 +194,7 @@ impl Author {
         let mut steps = vec![];
         if self.one_in(4) {
             let factors = [(); 3].map(|()| self.between(0.6, 1.5));
-            steps.push(format!("{{ scale = {} }}", list(&factors)));
+            steps.push(format!("{{ scale = {factors:?} }}"));
         }
         for _ in 0..self.random.random_range(0..=2) {
             let degrees = if self.one_in(2) {
@@ -208,7 +207,7 @@ impl Author {
                 "{{ rotate = {{ axis = {axis}, degrees = {degrees} }} }}"
             ));
         }
-        steps.push(format!("{{ translate = {} }}", list(&self.vector(1.5))));
+        steps.push(format!("{{ translate = {:?} }}", self.vector(1.5)));
         steps.join(", ")
     }
 
@@ -217,9 +216,8 @@ impl Author {
         self.between(0.05, 1.5)
     }
 
-    fn sizes(&mut self, count: usize) -> String {
-        let sizes: Vec<f64> = (0..count).map(|_| self.size()).collect();
-        list(&sizes)
+    fn sizes(&mut self, count: usize) -> Vec<f64> {
+        (0..count).map(|_| self.size()).collect()
     }
 
     fn vector(&mut self, reach: f64) -> [f64; 3] {
@@ -239,10 +237,6 @@ fn rounded(value: f64) -> f64 {
     (value * 1000.0).round() / 1000.0
 }
 
-fn list(values: &[f64]) -> String {
-    format!("{values:?}")
-}
-
 fn cut(point: [f64; 3], normal: [f64; 3]) -> String {
-    format!("{{ point = {}, normal = {} }}", list(&point), list(&normal))
+    format!("{{ point = {point:?}, normal = {normal:?} }}")
 }

@@ -89,13 +89,23 @@ impl Real {
             (_, Real::Fraction(t)) => self.cmp_fraction(t),
             (Real::Fraction(t), _) => other.cmp_fraction(t).reverse(),
             (Real::Root { of: p, greater: g }, Real::Root { of: q, greater: h }) => {
-                let is = |own: &Real, t| own.cmp_fraction(t) == Ordering::Equal;
-                match common_root(p, q) {
-                    Common::Both if p.discriminant().is_zero() => Ordering::Equal,
-                    Common::Both => g.cmp(h),
-                    Common::One(t) if is(self, &t) && is(other, &t) => Ordering::Equal,
-                    _ => self.narrowed_until_apart(other),
+                // q.a p - p.a q = 2 first t + last, which is zero at a root of both.
+                let first = &q.a * &p.b - &p.a * &q.b;
+                let last = &q.a * &p.c - &p.a * &q.c;
+                if first.is_zero() && last.is_zero() {
+                    return match p.discriminant().is_zero() {
+                        true => Ordering::Equal,
+                        false => g.cmp(h),
+                    };
                 }
+                if !first.is_zero() {
+                    let t = BigRational::new(-last, first * 2);
+                    let is_there = |own: &Real| own.cmp_fraction(&t) == Ordering::Equal;
+                    if is_there(self) && is_there(other) {
+                        return Ordering::Equal;
+                    }
+                }
+                self.narrowed_until_apart(other)
             }
         }
     }
@@ -131,29 +141,5 @@ impl Real {
                 (fraction(low), fraction(high))
             }
         }
-    }
-}
-
-enum Common {
-    None,
-    One(BigRational),
-    Both,
-}
-
-/// What two polynomials of second degree have in common.
-fn common_root(p: &Quadratic, q: &Quadratic) -> Common {
-    let first = &q.a * &p.b - &p.a * &q.b;
-    let last = &q.a * &p.c - &p.a * &q.c;
-    match (first.is_zero(), last.is_zero()) {
-        (true, true) => return Common::Both,
-        (true, false) => return Common::None,
-        _ => {}
-    }
-    // q.a p - p.a q = 2 first t + last.
-    let t = BigRational::new(-last, first * 2);
-    let is_root = |of: &Quadratic| of.sign_at(&t) == Ordering::Equal;
-    match is_root(p) && is_root(q) {
-        true => Common::One(t),
-        false => Common::None,
     }
 }

@@ -109,10 +109,21 @@ pub fn pictures<'a>(
     let glass = glass.map(|(traced, &object)| alone(prepared, object as usize, traced));
     let pairs: Vec<Pair> = opaque.into_iter().chain(glass).collect();
     let golden = &pairs[0].golden;
-    let colours = Colours::new(scene, &tracer.sight);
+    // What the shading processor cannot hold has no golden colours.
+    let words = shader_words(framed, &prepared.format).ok();
+    let colours = Colours::new(scene, &tracer.sight).zip(words);
+    let painted = colours.map(|(colours, words)| Painted {
+        golden: shade_picture(
+            golden,
+            &Lighting::full(golden),
+            &material_numbers(framed),
+            &words,
+        ),
+        colours,
+    });
     Ok(Pictures {
         bounds: Bounds::new(framed, prepared, &tracer.bodies)?,
-        painted: colours.and_then(|colours| painted(colours, golden, framed, &prepared.format)),
+        painted,
         tracer,
         pairs,
     })
@@ -136,19 +147,4 @@ fn alone(prepared: &PreparedScene, object: usize, traced: Traced) -> Pair<'_> {
         golden: drawn(prepared, &opaque.collect::<Vec<Slot>>()),
         jury: Jury::of_words_alone(prepared, object),
     }
-}
-
-/// The golden colours; nothing for what the shading processor cannot hold.
-fn painted(
-    colours: Colours,
-    golden: &Frame,
-    scene: &FramedScene,
-    format: &Format,
-) -> Option<Painted> {
-    let words = shader_words(scene, format).ok()?;
-    let lighting = Lighting::full(golden);
-    Some(Painted {
-        golden: shade_picture(golden, &lighting, &material_numbers(scene), &words),
-        colours,
-    })
 }

@@ -194,20 +194,9 @@ impl CutBody {
             let [at, slope] = line.along(plane);
             (!slope.is_zero()).then(|| (Real::Fraction(BigRational::new(-at, slope)), number))
         });
-        let mut all: Vec<(Real, u8)> = planes.collect();
-        let q = &line.q;
-        if q.a.is_zero() {
-            let only = || Real::Fraction(BigRational::new(-&q.c, &q.b * 2));
-            all.extend((!q.b.is_zero()).then(|| (only(), FACE_NEAR)));
-        } else if q.discriminant() >= num_bigint::BigInt::zero() {
-            let [low, high] = [false, true].map(|greater| Real::root(q, greater));
-            // What is behind the eye comes after infinity.
-            let zero = BigRational::zero();
-            let is_second = !self.perspective || low.cmp_fraction(&zero) == Ordering::Greater;
-            all.push((high, if is_second { FACE_FAR } else { FACE_NEAR }));
-            all.push((low, FACE_NEAR));
-        }
-        all
+        // Of two roots that are one the far face is seen.
+        let roots = self.roots(&line.q).into_iter().rev();
+        planes.chain(roots).collect()
     }
 
     /// True if a point of a line of sight is inside.

@@ -120,27 +120,32 @@ impl CutBody {
 
     fn solve_patch(&self, line: &Line) -> Option<(Real, u8)> {
         let q = &line.q;
+        if q.a.is_zero() && q.b.is_zero() {
+            // A line within the surface is seen from its beginning.
+            let inside = q.c.is_zero().then(|| self.kept(line))??;
+            return Some((Real::Fraction(inside.0), FACE_NEAR));
+        }
+        let mut roots = self.roots(q).into_iter();
+        roots.find(|(t, _)| self.surely_keeps(line, t))
+    }
+
+    /// Where a line of sight meets the quadric, in ascending order, each with the number of the face; nothing if it
+    /// lies within.
+    pub(crate) fn roots(&self, q: &Quadratic) -> Vec<(Real, u8)> {
         if q.a.is_zero() {
-            if q.b.is_zero() {
-                // A line within the surface is seen from its beginning.
-                let inside = q.c.is_zero().then(|| self.kept(line))??;
-                return Some((Real::Fraction(inside.0), FACE_NEAR));
-            }
-            let only = Real::Fraction(BigRational::new(-&q.c, &q.b * 2));
-            return self.surely_keeps(line, &only).then_some((only, FACE_NEAR));
+            let only = || Real::Fraction(BigRational::new(-&q.c, &q.b * 2));
+            let only = (!q.b.is_zero()).then(|| (only(), FACE_NEAR));
+            return only.into_iter().collect();
         }
         if q.discriminant().is_negative() {
-            return None;
+            return vec![];
         }
         let [low, high] = [false, true].map(|greater| Real::root(q, greater));
-        if self.surely_keeps(line, &low) {
-            return Some((low, FACE_NEAR));
-        }
-        // Behind the eye comes after infinity.
+        // What is behind the eye comes after infinity.
         let zero = BigRational::zero();
-        let far = !self.perspective || low.cmp_fraction(&zero) == Ordering::Greater;
-        self.surely_keeps(line, &high)
-            .then_some((high, if far { FACE_FAR } else { FACE_NEAR }))
+        let is_second = !self.perspective || low.cmp_fraction(&zero) == Ordering::Greater;
+        let number = if is_second { FACE_FAR } else { FACE_NEAR };
+        vec![(low, FACE_NEAR), (high, number)]
     }
 
     fn surely_keeps(&self, line: &Line, t: &Real) -> bool {

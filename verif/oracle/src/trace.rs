@@ -257,22 +257,20 @@ impl Tracer {
     /// A pixel in exact arithmetic.
     fn solve(&self, x: u32, y: u32, list: &[u32]) -> Option<TracedPixel> {
         let (x, y) = self.sight.place(x, y);
-        let is_member = |index: &&u32| self.is_member(**index);
-        let (members, alone): (Vec<u32>, Vec<u32>) = list.iter().partition(is_member);
-        let alone = alone.iter().filter_map(|&index| {
+        let (mut members, mut met): (Vec<Member>, Vec<(u32, Solved)>) = (vec![], vec![]);
+        for &index in list {
             let (object, body) = &self.bodies[index as usize];
-            Some((*object, body.solve(x, y, &self.ends)?))
-        });
-        let members = members.iter().map(|&index| &self.bodies[index as usize]);
-        let members = members.filter_map(|(object, body)| match body {
-            Body::Cut(body) => Some((*object, &**body)),
-            Body::Facet(_) => None,
-        });
-        let members: Vec<Member> = members.collect();
+            if !self.is_member(index) {
+                let first = body.solve(x, y, &self.ends);
+                met.extend(first.map(|first| (*object, first)));
+            } else if let Body::Cut(body) = body {
+                members.push((*object, body));
+            }
+        }
         let solids = self.solids.iter();
-        let solids = solids.filter_map(|solid| solid.solve(&members, (x, y), &self.ends));
+        met.extend(solids.filter_map(|solid| solid.solve(&members, (x, y), &self.ends)));
         // The lists are in the order of the scene: of two equal depths the first object is seen.
-        let nearest = alone.chain(solids).min_by(|a, b| a.1.t.compare(&b.1.t));
+        let nearest = met.into_iter().min_by(|a, b| a.1.t.compare(&b.1.t));
         nearest.map(|(object, found)| TracedPixel {
             object,
             number: found.number,
