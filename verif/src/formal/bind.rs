@@ -2,8 +2,7 @@
 
 use super::FormalError;
 
-/// Puts every instance that `properties` binds into the module of `design` it is bound to, and returns the design
-/// followed by the properties without their `bind` statements.
+/// Puts what `properties` binds into the modules of `design`, and returns it with the rest of the properties.
 ///
 /// A statement begins at the start of a line and ends with a line `);`, as in `bind pe1 pe1_properties properties (\n
 /// ...\n);`. Fails when a module is not in the design exactly once, or a statement does not end.
@@ -39,7 +38,7 @@ fn split_at_line<'a>(text: &'a str, word: &str) -> Option<(&'a str, &'a str)> {
 }
 
 /// The text of a module, from its name to before `endmodule`, as a range of the design.
-pub(super) fn module_range(design: &str, module: &str) -> Option<std::ops::Range<usize>> {
+fn module_range(design: &str, module: &str) -> Option<std::ops::Range<usize>> {
     let head = format!("\nmodule {module} (");
     let mut places = design.match_indices(&head);
     let (start, _) = places.next()?;

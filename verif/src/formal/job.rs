@@ -12,8 +12,7 @@ use std::fmt::{self, Write};
 pub enum Method {
     /// Unbounded in time: base case and induction over so many clocks.
     Induction(usize),
-    /// Every input sequence of some clocks from the initial state. For a design without registers one clock is
-    /// complete.
+    /// Every input sequence of some clocks from the initial state; without registers one clock is complete.
     Bounded(usize),
     /// Statements over the unbounded integers, each refuted in its negation.
     Integers,
@@ -36,13 +35,13 @@ pub(super) enum Design {
     /// The Verilog emitted for a request.
     Emitted(Request),
     /// The same with every word of the first width made as wide as the second. Only for a design with one width.
-    Narrowed(Request, usize, usize),
+    Narrowed(Request, u32, u32),
     /// A text of this folder.
     Text(&'static str),
 }
 
 /// Names and what they stand for.
-pub(super) type Definitions = Vec<(String, String)>;
+pub(super) type Definitions = Vec<(&'static str, String)>;
 
 /// A proof.
 #[derive(Clone, Debug)]
@@ -60,14 +59,11 @@ pub struct Job {
     pub(super) design: Design,
     pub(super) properties: &'static str,
     pub(super) definitions: Definitions,
-    /// Definitions that depend on the emitted text.
-    pub(super) words: fn(&Request) -> Definitions,
     pub(super) top: &'static str,
 }
 
 impl Job {
-    /// The text that the tool reads, with a mutant in its design if one is given: SystemVerilog, or SMT-LIB for
-    /// [`Method::Integers`].
+    /// What the tool reads, with a mutant in its design if given: SystemVerilog, SMT-LIB for [`Method::Integers`].
     pub fn source(&self, mutant: Option<&Mutant>) -> Result<String, FormalError> {
         let mut design = self.design()?;
         if let Some(mutant) = mutant {
@@ -76,12 +72,8 @@ impl Job {
         if self.method == Method::Integers {
             return Ok(design);
         }
-        let mut definitions = self.definitions.clone();
-        if let Design::Emitted(request) = &self.design {
-            definitions.extend((self.words)(request));
-        }
         let mut text = String::new();
-        for (name, value) in definitions {
+        for (name, value) in &self.definitions {
             let _ = writeln!(text, "`define {name} {value}");
         }
         Ok(text + &bind::resolve(&self.name, &design, self.properties)?)
@@ -90,9 +82,10 @@ impl Job {
     fn design(&self) -> Result<String, FormalError> {
         match &self.design {
             Design::Text(text) => Ok((*text).to_owned()),
-            Design::Emitted(request) => emitted(request),
+            Design::Emitted(request) => Ok(emit(request)?.bundle()),
             Design::Narrowed(request, from, to) => {
-                let text = emitted(request)?
+                let text = emit(request)?
+                    .bundle()
                     .replace(&format!("[{}:0]", from - 1), &format!("[{}:0]", to - 1))
                     .replace(&format!("{from}'"), &format!("{to}'"));
                 let left = [format!("{}", from - 1), format!("{from}'")];
@@ -107,40 +100,39 @@ impl Job {
     }
 }
 
-fn emitted(request: &Request) -> Result<String, FormalError> {
-    Ok(emit(request)?.bundle())
+/// Words side by side.
+fn joined(words: impl Iterator<Item = String>) -> String {
+    format!("{{{}}}", words.collect::<Vec<_>>().join(", "))
 }
 
-/// The words of all inputs side by side, the last input first.
-pub(super) fn decider_inputs(request: &Request) -> Definitions {
+/// The words of all inputs of a decider side by side, the last input first.
+pub(super) fn decider_inputs(count: u32) -> Definitions {
     let words = [
         ("DEPTHS", &["depth"][..]),
         ("IDS", &["id"]),
         ("RESTS", &["number", "nx", "ny", "nz"]),
     ];
-    let all = |fields: &[&str]| {
-        let inputs = (0..request.objects).rev();
-        let names = inputs.flat_map(|i| fields.iter().map(move |f| format!("input_{i}_{f}")));
-        let names: Vec<String> = names.collect();
-        format!("{{{}}}", names.join(", "))
-    };
-    let words = words.map(|(name, fields)| (name.to_owned(), all(fields)));
+    let words = words.map(|(name, fields)| {
+        let input = |i: u32| fields.iter().map(move |f| format!("input_{i}_{f}"));
+        (name, joined((0..count).rev().flat_map(input)))
+    });
     words.into()
 }
 
 /// Definitions for the properties of a root network: `K`, `STAGES`, `ROWS` and the words of all stages
 /// side by side, the last stage first. Element 0 of an array is what the first stage takes.
-pub(super) fn stage_words(request: &Request) -> Definitions {
-    let (bits, rows) = (request.depth_word, request.rows_per_stage);
+pub(super) fn stage_words(bits: u32, rows: u32) -> Definitions {
     let stages = bits.div_ceil(rows);
     let numbers = [("K", bits), ("STAGES", stages), ("ROWS", rows)];
-    let numbers = numbers.map(|(name, value)| (name.to_owned(), value.to_string()));
-    let names = ["PAIRS", "ROOTS", "REMAINDERS"].into_iter();
-    let words = names.zip(["pairs", "root", "remainder"]);
+    let numbers = numbers.map(|(name, value)| (name, value.to_string()));
+    let words = [
+        ("PAIRS", "pairs"),
+        ("ROOTS", "root"),
+        ("REMAINDERS", "remainder"),
+    ];
     let words = words.map(|(name, port)| {
-        let list = (1..=stages).rev();
-        let list: Vec<String> = list.map(|k| format!("stages_{port}[{k}]")).collect();
-        (name.to_owned(), format!("{{{}}}", list.join(", ")))
+        let stage = |k| format!("stages_{port}[{k}]");
+        (name, joined((1..=stages).rev().map(stage)))
     });
-    numbers.into_iter().chain(words).collect()
+    [numbers, words].concat()
 }

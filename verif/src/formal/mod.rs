@@ -6,7 +6,6 @@
 
 pub mod bind;
 pub mod catalogue;
-mod driver;
 pub mod job;
 pub mod mutants;
 pub mod runner;

@@ -1,5 +1,4 @@
-//! Edits of the designs that the proofs must refute: each breaks what a property states, so a proof that does not
-//! notice it proves nothing.
+//! Edits of designs that break what a property states: a proof that does not refute them proves nothing.
 
 use super::FormalError;
 

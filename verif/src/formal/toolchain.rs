@@ -2,14 +2,12 @@
 
 use super::FormalError;
 use imogene_tools::{FileError, call, find, path_folders, search_folders, version};
-use serde::Serialize;
 use std::ffi::OsString;
 use std::path::PathBuf;
 use std::process::Command;
 
 /// What drives the solver.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "lowercase")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Driver {
     /// SymbiYosys, packaged with its own Yosys.
     Packaged,
