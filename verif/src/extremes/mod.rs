@@ -1,5 +1,4 @@
-//! Named cases at the extremes of numbers and geometry, each with a stated result (sections 17 and 13.8 of the
-//! restatement of the source).
+//! Named cases at extremes of numbers and geometry, each with a stated result (sections 17 and 13.8 of the source).
 //!
 //! A scene runs through the hardware, which must equal the golden machine on every clock, and its picture must be the
 //! exact one at every pixel that the words decide, with every depth within its proven bound; then the statement of the
@@ -17,7 +16,6 @@ use crate::subject::{Inputs, Subject};
 use crate::unit::subject;
 use imogene_contract::{Request, Unit};
 use imogene_golden::format::Format;
-use imogene_golden::machine::beam::render;
 use imogene_prepare::{Framing, PreparedScene, prepare};
 use imogene_scene::{FramedScene, SceneFile};
 use pictures::Pictures;
@@ -92,21 +90,38 @@ pub fn find(name: &str) -> Option<&'static Extreme> {
 impl Extreme {
     /// Runs the case.
     pub fn run(&self) -> Finding {
-        let (report, result) = match &self.case {
-            Case::Drawn(text, claim) => self.draw(text, |p| {
-                p.agree().and_then(|()| claim(p)).map(|()| String::new())
-            }),
-            Case::Modelled(text, claim) => (None, self.model(text, *claim)),
-            Case::Flagged(text) => self.draw(text, Pictures::unbounded),
-            Case::Unit(unit, stimulus) => drive(*unit, *stimulus),
-        };
-        let held = result.is_ok();
+        let mut cosimulation = None;
+        let result = self.result(&mut cosimulation);
         Finding {
             name: format!("extremes/{}", self.name),
             outcome: self.outcome,
-            held,
+            held: result.is_ok(),
             detail: result.unwrap_or_else(|detail| detail),
-            cosimulation: report,
+            cosimulation,
+        }
+    }
+
+    fn result(&self, cosimulation: &mut Option<Report>) -> Result<String, String> {
+        match &self.case {
+            Case::Drawn(text, claim) => {
+                let pictures = self.draw(text, cosimulation)?;
+                pictures.agree().and_then(|()| claim(&pictures))?;
+                Ok(String::new())
+            }
+            Case::Modelled(text, claim) => {
+                let (framed, prepared) = self.prepared(text)?;
+                let frame = prepared.frame(|| ());
+                let pictures = Pictures::new(framed, prepared, frame);
+                pictures.agree().and_then(|()| claim(&pictures))?;
+                Ok("drawn by the golden model alone: the processor has no hardware".into())
+            }
+            Case::Flagged(text) => self.draw(text, cosimulation)?.unbounded(),
+            Case::Unit(unit, stimulus) => {
+                let subject = subject(&Request::new(*unit)).expect("its defaults are legal");
+                let (report, _) = subject.run(&stimulus(&subject), false);
+                agreement(cosimulation.insert(report))?;
+                Ok(String::new())
+            }
         }
     }
 
@@ -118,22 +133,8 @@ impl Extreme {
         Ok((framed, prepared))
     }
 
-    /// Draws with the hardware, which must agree with the golden machine, and judges the picture.
-    fn draw(
-        &self,
-        text: &str,
-        judge: impl FnOnce(&Pictures) -> Result<String, String>,
-    ) -> (Option<Report>, Result<String, String>) {
-        match self.cosimulate(text) {
-            Err(refusal) => (None, Err(refusal)),
-            Ok((report, pictures)) => {
-                let result = agreement(&report).and_then(|()| judge(&pictures));
-                (Some(report), result)
-            }
-        }
-    }
-
-    fn cosimulate(&self, text: &str) -> Result<(Report, Pictures), String> {
+    /// Draws with the hardware, which must agree with the golden machine.
+    fn draw(&self, text: &str, cosimulation: &mut Option<Report>) -> Result<Pictures, String> {
         let (framed, prepared) = self.prepared(text)?;
         let options = Options::plain(1, 2);
         let outcome = match scene::run(&prepared, &options, Engine::BuiltIn, || ()) {
@@ -144,28 +145,9 @@ impl Extreme {
         let (mut report, frame) = outcome.map_err(|e| e.to_string())?;
         report.subject = format!("extremes/{}", self.name);
         report.reproduce = format!("imogene cosim extremes/{}", self.name);
-        Ok((report, Pictures::new(framed, prepared, frame)))
+        agreement(cosimulation.insert(report))?;
+        Ok(Pictures::new(framed, prepared, frame))
     }
-
-    fn model(&self, text: &str, claim: Claim) -> Result<String, String> {
-        let (framed, prepared) = self.prepared(text)?;
-        let (width, height) = (prepared.width as usize, prepared.height as usize);
-        let frame = render(&prepared.slots(), &prepared.format, width, height, || ());
-        let pictures = Pictures::new(framed, prepared, frame);
-        pictures.agree().and_then(|()| claim(&pictures))?;
-        Ok("drawn by the golden model alone: the processor has no hardware".into())
-    }
-}
-
-/// Runs a unit over its stimulus.
-fn drive(
-    unit: Unit,
-    stimulus: fn(&Subject) -> Vec<Inputs>,
-) -> (Option<Report>, Result<String, String>) {
-    let subject = subject(&Request::new(unit)).expect("its defaults are legal");
-    let (report, _) = subject.run(&stimulus(&subject), false);
-    let result = agreement(&report).map(|()| String::new());
-    (Some(report), result)
 }
 
 fn agreement(report: &Report) -> Result<(), String> {

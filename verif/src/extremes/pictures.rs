@@ -80,13 +80,11 @@ impl Pictures {
         }
     }
 
-    /// Object drawn at a pixel.
     pub fn id(&self, x: usize, y: usize) -> Option<i32> {
         let id = self.frame.id[y * self.frame.width + x];
         (id >= 0).then_some(id)
     }
 
-    /// Pixels of one object.
     pub fn pixels_of(&self, id: i32) -> usize {
         self.frame.id.iter().filter(|&&found| found == id).count()
     }
@@ -103,7 +101,6 @@ impl Pictures {
         self.exact.iter().flatten().count()
     }
 
-    /// All pixels.
     pub fn pixels(&self) -> usize {
         self.frame.id.len()
     }

@@ -5,7 +5,6 @@ use super::{Extreme, driven};
 use crate::signal::Signal;
 use crate::subject::{Inputs, Subject};
 use imogene_contract::Unit;
-use std::iter::zip;
 
 #[rustfmt::skip]
 pub const CASES: &[Extreme] = &[
@@ -135,27 +134,28 @@ fn plane_ties(subject: &Subject) -> Vec<Inputs> {
     ordered.map(one).collect()
 }
 
-/// One line of `pixels` pixels of a plane.
-fn plane_line(subject: &Subject, a: i64, c: i64, pixels: usize) -> Vec<Inputs> {
-    let mut line = vec![inputs(subject, &[("valid", 1), ("a", a), ("c", c)]); pixels];
-    line[0] = inputs(subject, &[("valid", 1), ("start", 1), ("a", a), ("c", c)]);
-    line
+/// One line of `pixels` pixels of each plane, of this slope and this first depth.
+fn plane_lines(subject: &Subject, planes: &[(i64, i64)], pixels: usize) -> Vec<Inputs> {
+    let line = |&(a, c): &(i64, i64)| {
+        let mut line = vec![inputs(subject, &[("valid", 1), ("a", a), ("c", c)]); pixels];
+        line[0] = inputs(subject, &[("valid", 1), ("start", 1), ("a", a), ("c", c)]);
+        line
+    };
+    flushed(subject, planes.iter().flat_map(line).collect())
 }
 
 fn plane_slopes(subject: &Subject) -> Vec<Inputs> {
-    let lines = [(0, 0), (1, -20), (-1, 20)];
-    let lines = lines.map(|(a, c)| plane_line(subject, a, c, 41));
-    flushed(subject, lines.concat())
+    plane_lines(subject, &[(0, 0), (1, -20), (-1, 20)], 41)
 }
 
 fn plane_past_its_word(subject: &Subject) -> Vec<Inputs> {
     let far = 1i64 << 23;
     let through = (far - 1) / 40;
-    let slopes = [1, -1, through, -through, 0, 0];
     let [least, .., most] = LINES;
-    let starts = [far - 20, 20 - far, -2 * far, 2 * far, most, least];
-    let line = |(a, c)| plane_line(subject, a, c, 200);
-    flushed(subject, zip(slopes, starts).flat_map(line).collect())
+    let short = [(1, far - 20), (-1, 20 - far)];
+    let long = [(through, -2 * far), (-through, 2 * far)];
+    let level = [(0, most), (0, least)];
+    plane_lines(subject, &[short, long, level].concat(), 200)
 }
 
 fn lines_after_the_last(subject: &Subject) -> Vec<Inputs> {
@@ -184,8 +184,7 @@ fn normal_words(subject: &Subject) -> Vec<Inputs> {
 }
 
 fn past_the_depth_word(subject: &Subject) -> Vec<Inputs> {
-    let sums = [[-(1 << 25)], [(1 << 25) - 1]];
-    let depths = [&sums[0], &DEPTHS[..10], &sums[1]].concat();
+    let depths = [&[-(1 << 25)], &DEPTHS[..10], &[(1 << 25) - 1]].concat();
     let all = every([&[0, 1, 2, 3], &depths, &depths, &[0, 1]]);
     let ordered = all.filter(|[_, near, far, _]| near <= far);
     let one = |[class, near, far, inside]: [i64; 4]| {

@@ -1,9 +1,8 @@
-//! What is seen of the objects of a pixel: the visibility node, the deciders, the product of a solid, the flags of the
-//! light sources, the blends of transparent objects.
+//! What is seen at a pixel: visibility node, deciders, product of a solid, flags of light sources, blends of glass.
 
 use super::description::{Description, bit, late, stated};
 use crate::signal::Signal;
-use crate::stimulus::{depth, each, word};
+use crate::stimulus::{depth, each, mapped, word};
 use crate::subject::{Inputs, Stimuli, Subject};
 use imogene_golden::format::Format;
 use imogene_golden::machine::csg::{self, Extent, front, skew};
@@ -44,46 +43,33 @@ fn objects(subject: &Subject, clocks: usize) -> Stimuli {
         .prop_map(move |first| (first..first + count as i64).collect::<Vec<i64>>());
     let same = (0i64..256).prop_map(move |id| vec![id; count]);
     let few = proptest::collection::vec(0i64..2, count);
-    let ids = prop_oneof![scattered, neighbours, same]
-        .prop_shuffle()
-        .boxed();
-    let any = stimulus(ids, depth(width), count, clocks);
-    let close = stimulus(few.boxed(), (0i64..2).boxed(), count, clocks);
+    let ids = prop_oneof![scattered, neighbours, same].prop_shuffle();
+    let rows = |ids: BoxedStrategy<Inputs>, depth: BoxedStrategy<i64>| {
+        let payload = (0i64..16, any::<[i16; 3]>());
+        let fields = proptest::collection::vec((depth, payload), count);
+        let one = mapped((ids, fields), |(ids, fields)| -> Inputs {
+            let each = ids.into_iter().zip(fields);
+            let each = each.flat_map(|(id, (depth, (number, n)))| {
+                let [nx, ny, nz] = n.map(i64::from);
+                [depth, id, number, nx, ny, nz]
+            });
+            each.collect()
+        });
+        proptest::collection::vec(one, clocks)
+    };
+    let any = rows(ids.boxed(), depth(width));
+    let close = rows(few.boxed(), (0i64..2).boxed());
     prop_oneof![3 => any, 1 => close].boxed()
 }
 
-/// Rows of objects with these ids and depths.
-fn stimulus(
-    ids: BoxedStrategy<Vec<i64>>,
-    depth: BoxedStrategy<i64>,
-    count: usize,
-    clocks: usize,
-) -> Stimuli {
-    let payload = (0i64..16, any::<[i16; 3]>());
-    let fields = proptest::collection::vec((depth, payload), count);
-    let one = (ids, fields).prop_map(|(ids, fields)| {
-        let each = ids.into_iter().zip(fields);
-        let each = each.flat_map(|(id, (depth, (number, n)))| {
-            let [nx, ny, nz] = n.map(i64::from);
-            [depth, id, number, nx, ny, nz]
-        });
-        each.collect::<Inputs>()
-    });
-    proptest::collection::vec(one, clocks).boxed()
-}
-
 pub(super) fn visibility_node() -> Description {
-    Description::new(objects, || {
-        |i: &[i64]| stated(Some(flat(decide(&visible(i)))))
-    })
+    decider(2)
 }
 
 pub(super) fn decider(inputs: usize) -> Description {
-    Description::new(objects, move || {
-        // With one input the decider is a wire: the result belongs to the same clock.
-        let mut late = late(latency(inputs).max(1) as usize);
-        move |i: &[i64]| stated(late.push(decide(&visible(i))).map(flat))
-    })
+    // With one input the decider is a wire: the result belongs to the same clock.
+    let clocks = latency(inputs).max(1);
+    Description::pipeline(objects, clocks, |i| flat(decide(&visible(i))))
 }
 
 /// A decider whose inputs are taken at their own clocks, `starts`, and that answers `latency` clocks after the first.
@@ -167,27 +153,22 @@ fn solids(subject: &Subject, clocks: usize) -> Stimuli {
 /// Ports of one volume.
 const VOLUME: usize = 4;
 
-fn words_of(i: &[i64]) -> ShadowWords {
-    ShadowWords {
-        kind: [VolumeKind::Shadow, VolumeKind::Light][i[1] as usize],
-        source: i[2] as u8,
-        enabled: bit(i[3]),
-    }
-}
-
 pub(super) fn shadow_stage(volumes: usize) -> Description {
-    Description::new(answers, move || {
-        let mut late = late(shadow::latency(volumes) as usize);
-        move |i: &[i64]| {
-            let list = i[1..].chunks(VOLUME);
-            let (words, inside): (Vec<_>, Vec<_>) = list.map(|i| (words_of(i), bit(i[0]))).unzip();
-            vec![late.push(flags(i[0] as u16, &words, &inside).into())]
-        }
+    Description::pipeline(answers, shadow::latency(volumes), |i| {
+        let volume = |i: &[i64]| {
+            let words = ShadowWords {
+                kind: [VolumeKind::Shadow, VolumeKind::Light][i[1] as usize],
+                source: i[2] as u8,
+                enabled: bit(i[3]),
+            };
+            (words, bit(i[0]))
+        };
+        let (words, inside): (Vec<_>, Vec<_>) = i[1..].chunks(VOLUME).map(volume).unzip();
+        [flags(i[0] as u16, &words, &inside).into()]
     })
 }
 
-/// Sources that are all different, or few, so that volumes of a source meet; answers mostly such that the flag stays,
-/// since one volume among many would hide the others.
+/// Sources all different, or few, so that volumes meet; answers that mostly leave the flag, or one would hide others.
 fn answers(subject: &Subject, clocks: usize) -> Stimuli {
     let count = (subject.inputs.len() - 1) / VOLUME;
     let before = prop_oneof![Just(0xffff), word(&subject.inputs[0])];
@@ -223,17 +204,14 @@ fn layer_of(i: &[i64]) -> Layer {
     }
 }
 
-fn flat_colour(seen: Option<Seen>) -> Vec<Option<i64>> {
-    stated(seen.map(|seen| {
-        let [red, green, blue] = seen.colour.map(i64::from);
-        [seen.depth, red, green, blue]
-    }))
+fn flat_colour(seen: Seen) -> [i64; PIXEL] {
+    let [red, green, blue] = seen.colour.map(i64::from);
+    [seen.depth, red, green, blue]
 }
 
 pub(super) fn transparency_stage() -> Description {
-    Description::new(blends, || {
-        let mut late = late(STAGE_LATENCY as usize);
-        move |i: &[i64]| flat_colour(late.push(stage(seen_of(i), layer_of(&i[PIXEL..]))))
+    Description::pipeline(blends, STAGE_LATENCY, |i| {
+        flat_colour(stage(seen_of(i), layer_of(&i[PIXEL..])))
     })
 }
 
@@ -249,9 +227,9 @@ pub(super) fn transparency_pipeline(layers: usize) -> Description {
             let whole = pixels.push(row.map(<[i64]>::to_vec).collect());
             let seen = whole.map(|parts| {
                 let layers: Vec<Layer> = parts[1..].iter().map(|i| layer_of(i)).collect();
-                pipeline(seen_of(&parts[0]), &layers)
+                flat_colour(pipeline(seen_of(&parts[0]), &layers))
             });
-            flat_colour(late.push(seen).flatten())
+            stated(late.push(seen).flatten())
         }
     })
 }

@@ -2,8 +2,8 @@
 
 use super::description::{Description, bit, last_pixel, late, stated, zones};
 use super::words::{Ports, read};
-use crate::stimulus::{depth, interval, word};
-use crate::subject::{Inputs, Stimuli, Subject};
+use crate::stimulus::{depth, interval, mapped, word};
+use crate::subject::{Stimuli, Subject};
 use imogene_golden::format::Format;
 use imogene_golden::unit::cut_plane::{PlaneKind, cut};
 use imogene_golden::unit::depth_interval::{Class, Interval, halves};
@@ -12,22 +12,6 @@ use imogene_golden::unit::patch_decider::{Faces, decide, kept, visible};
 use imogene_golden::unit::pe1::Pe1;
 use imogene_golden::unit::plane_depth::saturate;
 use proptest::prelude::*;
-
-/// Clocks from an interval to what a unit makes of it.
-const LATENCY: usize = 2;
-
-fn flat(half: &Interval) -> [i64; 4] {
-    [half.zf, half.nf.into(), half.zb, half.nb.into()]
-}
-
-fn interval_of(i: &[i64]) -> Interval {
-    Interval {
-        zf: i[0],
-        nf: i[1] as u8,
-        zb: i[2],
-        nb: i[3] as u8,
-    }
-}
 
 /// Near and far sums around the ends of the depth word; half the time ordered, as they are in a machine.
 fn sums(subject: &Subject, clocks: usize) -> Stimuli {
@@ -59,14 +43,16 @@ pub(super) fn plane_depth(format: Format) -> Description {
 }
 
 pub(super) fn cut_plane(format: Format) -> Description {
-    Description::new(cuts, move || {
-        let mut late = late(LATENCY);
-        move |i: &[i64]| {
-            let kind = PlaneKind::ALL[i[0] as usize];
-            let start = interval_of(&i[4..]);
-            let left = cut(start, kind, i[3], i[2] as u8, bit(i[1]), &format);
-            stated(late.push(flat(&left)))
-        }
+    Description::pipeline(cuts, 2, move |i| {
+        let kind = PlaneKind::ALL[i[0] as usize];
+        let start = Interval {
+            zf: i[4],
+            nf: i[5] as u8,
+            zb: i[6],
+            nb: i[7] as u8,
+        };
+        let left = cut(start, kind, i[3], i[2] as u8, bit(i[1]), &format);
+        [left.zf, left.nf.into(), left.zb, left.nb.into()]
     })
 }
 
@@ -144,11 +130,10 @@ fn cut_quadrics(subject: &Subject, clocks: usize) -> Stimuli {
         (roots, vec![front, numbers.0, back, numbers.1, removed])
     });
     let later = proptest::collection::vec(one, clocks + 2);
-    let both = later.prop_map(move |list| {
+    mapped(later, move |list| {
         let one = |at: usize| [&list[at + 2].0[..], &list[at].1[..]].concat();
-        (0..clocks).map(one).collect::<Vec<Inputs>>()
-    });
-    both.boxed()
+        (0..clocks).map(one).collect()
+    })
 }
 
 /// A depth, or that of a root but for one bit at most.
@@ -173,23 +158,19 @@ fn limit(width: u32) -> BoxedStrategy<Limit> {
 const DECIDER_PORTS: usize = 4;
 
 pub(super) fn patch_decider(format: Format) -> Description {
-    Description::new(decisions, move || {
-        let mut late = late(3);
-        move |i: &[i64]| {
-            let (near, far) = (i[0], i[1]);
-            let there = visible(near, far, bit(i[2]) && bit(i[3]), &format);
-            let left = i[DECIDER_PORTS..]
-                .chunks(2)
-                .map(|plane| kept(PlaneKind::ALL[plane[0] as usize], plane[1], near, far))
-                .fold(there, Faces::and);
-            let face = late.push(decide(near, far, left, &format));
-            stated(face.map(|face| [face.zf, face.zb, face.nf.into()]))
-        }
+    Description::pipeline(decisions, 3, move |i| {
+        let (near, far) = (i[0], i[1]);
+        let there = visible(near, far, bit(i[2]) && bit(i[3]), &format);
+        let left = i[DECIDER_PORTS..]
+            .chunks(2)
+            .map(|plane| kept(PlaneKind::ALL[plane[0] as usize], plane[1], near, far))
+            .fold(there, Faces::and);
+        let face = decide(near, far, left, &format);
+        [face.zf, face.zb, face.nf.into()]
     })
 }
 
-/// Roots and planes on a few levels about zero and about both ends, so that ties are common; some roots in the other
-/// order, to which sums beyond their width come.
+/// Roots and planes on a few levels about zero and both ends, so that ties are common; some roots in wrong order.
 fn decisions(subject: &Subject, clocks: usize) -> Stimuli {
     let width = subject.outputs[0].width;
     let sum = || prop_oneof![8 => depth(width), 1 => word(&subject.inputs[0])];

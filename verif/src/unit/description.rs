@@ -1,19 +1,11 @@
 //! What is stated of a unit, and what golden models have in common.
 
 use super::words::Ports;
-use crate::signal::{Delay, Signal};
+use crate::signal::Delay;
 use crate::stimulus::{hold, mapped, raster};
 use crate::subject::{Golden, Inputs, Stimuli, Stimulus, Subject};
-use imogene_contract::Request;
 use imogene_golden::format::Format;
-use imogene_hdl::Direction;
-use imogene_rtl::emit::design;
 use std::iter;
-
-pub(super) fn inputs(request: &Request) -> Vec<Signal> {
-    let design = design(request).expect("a legal request");
-    design.top.ports_of(Direction::In).map(Signal::of).collect()
-}
 
 /// Golden model and stimulus of a unit; ports and hardware are those of its circuit.
 pub(super) struct Description {
@@ -35,6 +27,18 @@ impl Description {
             stimulus: Box::new(stimulus),
             longest: 0,
         }
+    }
+
+    /// Outputs of the inputs of a clock alone, so many clocks later.
+    pub(super) fn pipeline<const N: usize>(
+        stimulus: impl Fn(&Subject, usize) -> Stimuli + Sync + 'static,
+        latency: u32,
+        outputs: impl Fn(&[i64]) -> [i64; N] + Clone + Send + Sync + 'static,
+    ) -> Description {
+        Description::new(stimulus, move || {
+            let (mut late, outputs) = (late(latency as usize), outputs.clone());
+            move |i: &[i64]| stated(late.push(outputs(i)))
+        })
     }
 
     /// With so many clocks from each clock of a stimulus to the next, on which nothing begins: flags come first.
@@ -87,8 +91,7 @@ pub(super) fn late<T>(latency: usize) -> Delay<T> {
     Delay::new(latency - 1)
 }
 
-/// A golden processor that the flags on the first three ports drive over a zone, on a clock with a pixel; none before
-/// the first zone has begun.
+/// A golden processor that the first three ports drive over a zone, on a clock with a pixel; none before a zone.
 pub(super) fn scan<'a, P>(
     zone: &'a mut Option<P>,
     flags: &[i64],

@@ -23,14 +23,13 @@ pub(super) fn pe1(format: Format) -> Description {
 pub(super) fn pe2(format: Format) -> Description {
     // Second differences are even: they are twice a coefficient.
     let stimulus = |subject: &_, clocks| {
-        let even = |mut list: Vec<Vec<i64>>| {
+        mapped(zones(subject, clocks), |mut list| {
             for inputs in &mut list {
                 inputs[3] &= !1;
                 inputs[4] &= !1;
             }
             list
-        };
-        zones(subject, clocks).prop_map(even).boxed()
+        })
     };
     Description::new(stimulus, move || {
         let words = move |i: &[i64]| read(&i[3..], &format, Ports::quadratic);
@@ -99,10 +98,9 @@ mod port {
 const WORDS: usize = 6;
 
 pub(super) fn memory_pe2(format: Format) -> Description {
-    let width = format.quadratic;
     Description::new(pictures, move || {
         let mut golden = Clocked {
-            width,
+            width: format.quadratic,
             ..Clocked::default()
         };
         move |i: &[i64]| golden.clock(i)
@@ -182,43 +180,19 @@ fn command(at: usize) -> Inputs {
     inputs
 }
 
-/// A picture: its words, its shape, and how it is drawn.
-#[derive(Clone, Debug)]
-struct Picture {
-    words: Vec<i64>,
-    /// Progressive, or two fields in this order.
-    fields: Option<[bool; 2]>,
-    width: usize,
-    height: usize,
-    /// Clocks of rest after a command that takes time.
-    pause: usize,
-    /// Pixels between the start of a field and its first line.
-    early: usize,
-    /// By how much the order of the words is turned when they are loaded.
-    turn: usize,
-}
+/// A picture: its words; whether it has two fields, and whether the odd one is first, its columns and lines, and clocks
+/// of rest after a command that takes time; pixels between the start of a field and its first line, and by how much the
+/// order of the words is turned when they are loaded.
+type Picture = (Vec<i64>, ([bool; 2], usize, usize, usize), (usize, usize));
 
-/// Loaded pictures one after the other; the raster waits for `ready` and now and then a clock longer. While the
-/// processor is busy anything is asked of it.
+/// Loaded pictures; the raster waits for `ready`, or a clock longer. A busy processor is asked for anything.
 fn pictures(subject: &Subject, clocks: usize) -> Stimuli {
     let words = proptest::collection::vec(word(&subject.inputs[port::DATA]), WORDS);
     let shape = (any::<[bool; 2]>(), 1usize..9, 1usize..4, 0usize..3);
     let odd = (0usize..3, 0usize..9);
-    let picture = (words, shape, odd).prop_map(|(words, shape, (early, turn))| {
-        let (kind, width, height, pause) = shape;
-        Picture {
-            words,
-            fields: kind[0].then_some([kind[1], !kind[1]]),
-            width,
-            height,
-            pause,
-            early,
-            turn,
-        }
-    });
     let noise = each(subject.inputs.iter().map(word).collect(), clocks);
     // A picture takes thirty clocks at least.
-    let pictures = proptest::collection::vec(picture, clocks / 30 + 1);
+    let pictures = proptest::collection::vec((words, shape, odd), clocks / 30 + 1);
     mapped((pictures, noise), move |(pictures, noise)| {
         let mut drawn = Drawn::default();
         pictures.iter().for_each(|picture| drawn.picture(picture));
@@ -237,42 +211,40 @@ struct Drawn {
 }
 
 impl Drawn {
-    fn picture(&mut self, picture: &Picture) {
-        let fields = picture.fields.map(|fields| fields.map(Some).to_vec());
-        self.load(picture);
-        for field in fields.unwrap_or(vec![None]) {
-            let (at, restore) = match field {
-                Some(_) => (port::FIELD, 6),
-                None => (port::PICTURE, 1),
-            };
-            let mut start = command(at);
-            start[port::ODD] = field.unwrap_or_default().into();
-            self.command(start, restore, picture.pause);
-            for _ in 0..picture.early {
-                self.command(command(port::PIXEL), 1, 0);
-            }
-            for line in 0..picture.height {
-                let is_long = field.is_some_and(|is_odd| is_odd || line > 0);
-                let clocks = if is_long { 27 } else { 15 };
-                self.command(command(port::LINE), clocks, picture.pause);
-                for _ in 0..picture.width {
-                    self.command(command(port::PIXEL), 1, 0);
-                }
-            }
-        }
-    }
-
-    fn load(&mut self, picture: &Picture) {
-        let words = &picture.words;
+    fn picture(&mut self, (words, (kind, width, height, pause), (early, turn)): &Picture) {
         let kept = [3, 4, 5];
         let all = (0..WORDS).chain(kept).enumerate();
-        for (address, word) in all.cycle().skip(picture.turn).take(WORDS + kept.len()) {
+        for (address, word) in all.cycle().skip(*turn).take(WORDS + kept.len()) {
             let mut inputs = command(port::LOAD);
             inputs[port::ADDRESS] = address as i64;
             // Second differences are even: they are twice a coefficient.
             let mask = if word < 2 { !1 } else { !0 };
             inputs[port::DATA] = words[word] & mask;
             self.command(inputs, 1, 0);
+        }
+        let fields = match *kind {
+            [true, first] => vec![Some(first), Some(!first)],
+            [false, _] => vec![None],
+        };
+        for field in fields {
+            let (at, restore) = match field {
+                Some(_) => (port::FIELD, 6),
+                None => (port::PICTURE, 1),
+            };
+            let mut start = command(at);
+            start[port::ODD] = field.unwrap_or_default().into();
+            self.command(start, restore, *pause);
+            for _ in 0..*early {
+                self.command(command(port::PIXEL), 1, 0);
+            }
+            for line in 0..*height {
+                let is_long = field.is_some_and(|is_odd| is_odd || line > 0);
+                let clocks = if is_long { 27 } else { 15 };
+                self.command(command(port::LINE), clocks, *pause);
+                for _ in 0..*width {
+                    self.command(command(port::PIXEL), 1, 0);
+                }
+            }
         }
     }
 

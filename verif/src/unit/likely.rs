@@ -4,6 +4,7 @@ use super::description::WORDS;
 use crate::signal::Signal;
 use crate::stimulus::{mapped, word};
 use crate::subject::{Inputs, Stimuli, Subject};
+use imogene_contract::words::far_end;
 use proptest::prelude::*;
 
 /// One zone of random width, anywhere on the screen, with one set of words on the ports from [`WORDS`] on; every
@@ -55,8 +56,7 @@ fn first_pixel() -> BoxedStrategy<i64> {
 /// What the words of a port are likely to be on a zone of a few pixels, so that signs change and depths meet on it.
 #[derive(Clone, Copy)]
 pub(super) enum Likely {
-    /// A polynomial of first degree that is a depth in units of `2^-guard`, now and then at an end of the depth word;
-    /// any normal beside it.
+    /// A polynomial of first degree, a depth in units of `2^-guard`, now and then at an end; any normal with it.
     Depth(u32),
     /// The same of second degree, in units of `2^-(W - 2)`.
     Bulge,
@@ -144,8 +144,7 @@ fn group(ports: &[Signal], likely: Likely, depth_word: u32) -> BoxedStrategy<Inp
     .boxed()
 }
 
-/// A polynomial of any size whose values change on a zone of a few pixels: each of its words is the longer the less
-/// often it is added.
+/// A polynomial of any size whose values change within a few pixels: a word is the longer the less it is added.
 fn sized(ports: &[Signal]) -> BoxedStrategy<Inputs> {
     let is_quadratic = is_quadratic(ports);
     let bits = |port: &Signal| match (part(port), is_quadratic) {
@@ -197,8 +196,7 @@ pub(super) fn even_differences(
     words.prop_map(masked).boxed()
 }
 
-/// One zone with words that `plan` makes likely, as [`words`] and [`held`] say; the kinds of all planes are drawn
-/// evenly.
+/// One zone with words that `plan` makes likely ([`words`], [`held`]); kinds of planes are drawn evenly.
 pub(super) fn planned(
     plan: &'static [(&str, Likely)],
 ) -> impl Fn(&Subject, usize) -> Stimuli + Sync + 'static {
@@ -272,12 +270,7 @@ fn spread(most: i64, guard: u32) -> BoxedStrategy<i64> {
     (-most..=most).prop_map(move |v| v << guard).boxed()
 }
 
-fn far_end(depth_word: u32) -> i64 {
-    (1 << (depth_word - 1)) - 1
-}
-
-/// A depth, now and then about an end of the depth word, or one bit away from its least word, or anywhere between and
-/// beyond.
+/// A depth, now and then about an end of the depth word, one bit away from its least word, or anywhere and beyond.
 fn near_an_end(most: i64, far: i64, guard: u32) -> BoxedStrategy<i64> {
     let about = |middle: i64, most: i64| (-most..=most).prop_map(move |v| v + middle);
     let one_bit = (0..far.ilog2()).prop_map(move |bit| (1 << bit) - far - 1);

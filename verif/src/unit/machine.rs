@@ -1,7 +1,7 @@
 //! The coefficient store and the beam machine, fed over the load bus.
 
 use super::decision::flat;
-use super::description::{Description, WORDS, behind_valid, bit, inputs, late};
+use super::description::{Description, WORDS, behind_valid, bit, late};
 use super::object::plausible;
 use crate::scene::golden::GoldenMachine;
 use crate::signal::Signal;
@@ -16,6 +16,8 @@ use imogene_golden::machine::raster::RasterControl;
 use imogene_golden::object::load_slot::held;
 use imogene_golden::object::quadric::{QuadricWords, latency};
 use imogene_golden::object::slot::ProcessorWords;
+use imogene_hdl::Direction;
+use imogene_rtl::emit::design;
 use proptest::prelude::*;
 
 /// Where the words of the box and the control word begin (`docs/architecture.md`, section 7).
@@ -38,7 +40,9 @@ fn coefficients(depth_word: u32, planes: usize) -> Vec<Signal> {
         planes: planes as u32,
         ..Request::of(Unit::QuadricProcessor, depth_word)
     };
-    inputs(&processor).split_off(WORDS)
+    let circuit = design(&processor).expect("a legal request").top;
+    let ports = circuit.ports_of(Direction::In).skip(WORDS);
+    ports.map(Signal::of).collect()
 }
 
 /// The words of one slot.
@@ -58,15 +62,6 @@ impl Slot {
             *word = data as u64;
         }
     }
-}
-
-/// The words on the load bus that give the coefficient ports these values.
-fn bus_words(ports: &[Signal], planes: usize, values: &[i64]) -> Vec<u64> {
-    let mut words = vec![0; words(planes)];
-    for ((signal, &value), (address, low)) in ports.iter().zip(values).zip(places(planes)) {
-        words[address] |= signal.bits(value) << low;
-    }
-    words
 }
 
 pub(super) fn coefficient_store(format: Format, planes: usize) -> Description {
@@ -96,7 +91,13 @@ fn writes(subject: &Subject, clocks: usize) -> Stimuli {
 pub(super) fn beam(format: Format, objects: usize, planes: usize, rows: usize) -> Description {
     let pictures = move |subject: &_, clocks| pictures(subject, clocks, planes, objects);
     Description::new(pictures, move || {
-        let mut machine = Machine::new(format, objects, planes);
+        let mut machine = Machine {
+            format,
+            kind: FittedSlot::quadric(planes as u32),
+            slots: vec![Slot::new(planes); objects],
+            raster: RasterControl::default(),
+            zone: None,
+        };
         let clocks = 1 + latency(&format, planes, rows as u32) + tree_latency(objects);
         let mut late = late(clocks as usize);
         move |i: &[i64]| {
@@ -117,16 +118,6 @@ struct Machine {
 }
 
 impl Machine {
-    fn new(format: Format, objects: usize, planes: usize) -> Machine {
-        Machine {
-            format,
-            kind: FittedSlot::quadric(planes as u32),
-            slots: vec![Slot::new(planes); objects],
-            raster: RasterControl::default(),
-            zone: None,
-        }
-    }
-
     fn clock(&mut self, i: &[i64]) -> Option<Visible> {
         if bit(i[3])
             && let Some(slot) = self.slots.get_mut(i[4] as usize)
@@ -153,17 +144,21 @@ impl Machine {
 fn pictures(subject: &Subject, clocks: usize, planes: usize, objects: usize) -> Stimuli {
     let data = subject.inputs[6].clone();
     let ports = coefficients(subject.outputs[1].width, planes);
-    let words = proptest::collection::vec(plausible(&ports), objects);
+    let values = proptest::collection::vec(plausible(&ports), objects);
     mapped(
-        (words, 1i64..24, any::<bool>()),
-        move |(words, width, skip_last)| {
+        (values, 1i64..24, any::<bool>()),
+        move |(values, width, skip_last)| {
             let mut list: Vec<Inputs> = Vec::new();
             let loaded = objects - usize::from(skip_last && objects > 1);
-            for (object, values) in words[..loaded].iter().enumerate() {
-                let words = bus_words(&ports, planes, values);
-                list.extend(words.iter().enumerate().map(|(address, &bits)| {
-                    vec![0, 0, 0, 1, object as i64, address as i64, data.value(bits)]
-                }));
+            for (object, values) in (0..).zip(&values[..loaded]) {
+                // The words on the load bus that give the ports these values.
+                let mut words = vec![0; words(planes)];
+                for ((port, &value), (address, low)) in ports.iter().zip(values).zip(places(planes))
+                {
+                    words[address] |= port.bits(value) << low;
+                }
+                let load = |(address, bits)| vec![0, 0, 0, 1, object, address, data.value(bits)];
+                list.extend((0..).zip(words).map(load));
             }
             let height = (clocks as i64 / width).clamp(1, 40);
             for clock in 0..clocks {

@@ -29,8 +29,7 @@ use imogene_hdl::Direction;
 use imogene_rtl::emit::{design, emit};
 use std::sync::OnceLock;
 
-/// Units that the tests of all units run over: those that are not loaded over a bus, for which random stimulus would
-/// need many clocks to load a scene.
+/// Units that are not loaded over a bus, which would take random stimulus many clocks: for tests of all units.
 pub fn units() -> impl Iterator<Item = Unit> {
     let is_loaded = |unit: &Unit| matches!(unit, Unit::CoefficientStore | Unit::Beam);
     Unit::ALL.into_iter().filter(move |unit| !is_loaded(unit))

@@ -47,8 +47,7 @@ fn plan(unit: Unit) -> &'static [(&'static str, Likely)] {
     }
 }
 
-/// Depths, face and normal behind `out_valid`, as many clocks after the flags as the processor takes. Its words are
-/// likely what the plan says.
+/// Depths, face and normal behind `out_valid`, as many clocks after the flags as the processor takes.
 pub(super) fn object_processor(request: &Request, format: Format) -> Description {
     let (unit, rows) = (request.unit, request.rows_per_stage);
     let count = match unit.has("sides") {
@@ -135,18 +134,34 @@ fn level(subject: &Subject) -> Level {
     })
 }
 
-/// The same zones of a surface, but that in one of eight both faces are flat, and one of them one bit away from the
-/// least word.
+/// The same zones, but that in one of so many all clocks are changed by what is drawn.
+fn changed<S: Strategy<Value: Copy> + 'static>(
+    zones: Stimuli,
+    one_in: u32,
+    drawn: S,
+    change: impl Fn(&mut Inputs, S::Value) + 'static,
+) -> Stimuli {
+    mapped(
+        (zones, 0..one_in, drawn),
+        move |(mut zone, chance, drawn)| {
+            let changed = zone.iter_mut().filter(|_| chance == 0);
+            changed.for_each(|inputs| change(inputs, drawn));
+            zone
+        },
+    )
+}
+
+/// One bit away from the least depth word.
+fn near_the_end(width: u32) -> impl Strategy<Value = i64> + 'static {
+    (0..width - 1).prop_map(move |bit| (1 << bit) - (1 << (width - 1)))
+}
+
+/// The same zones of a surface, but one in eight has flat faces, one of these one bit away from the least word.
 fn faces_near_the_end(subject: &Subject, zones: Stimuli) -> Stimuli {
     let level = level(subject);
-    let width = subject.outputs[1].width;
-    let flat = (0u32..8, 0..width - 1, any::<Drawn>());
-    mapped((zones, flat), move |(mut zone, (chance, bit, drawn))| {
-        let depth = (1 << bit) - (1 << (width - 1));
-        for inputs in zone.iter_mut().filter(|_| chance == 0) {
-            level(inputs, drawn, depth);
-        }
-        zone
+    let flat = (near_the_end(subject.outputs[1].width), any::<Drawn>());
+    changed(zones, 8, flat, move |inputs, (depth, drawn)| {
+        level(inputs, drawn, depth);
     })
 }
 
@@ -162,8 +177,7 @@ fn planes(subject: &Subject) -> Vec<[usize; 2]> {
     (0..).map_while(plane).collect()
 }
 
-/// The same zones of an object with planes, but that in one of eight the first plane is a flat front one bit away from
-/// the least word, before most others.
+/// The same zones, but one in eight has a flat front plane, one bit away from the least word, before most others.
 fn fronts_near_the_end(subject: &Subject, zones: Stimuli) -> Stimuli {
     let planes = planes(subject);
     // The first generation has contours, and the depth of a plane that is always a front.
@@ -171,21 +185,15 @@ fn fronts_near_the_end(subject: &Subject, zones: Stimuli) -> Stimuli {
     let Some(constant) = of_plane.or(place(subject, "depth_0_c")) else {
         return zones;
     };
-    let width = subject.outputs[1].width;
-    mapped(
-        (zones, 0u32..8, 0..width - 1),
-        move |(mut zone, chance, bit)| {
-            for inputs in zone.iter_mut().filter(|_| chance == 0) {
-                planes.iter().for_each(|[kind, _]| inputs[*kind] &= !FRONT);
-                if let Some([kind, _]) = planes.first() {
-                    inputs[*kind] = FRONT;
-                }
-                inputs[constant - 2..constant].fill(0);
-                inputs[constant] = (1 << bit) - (1 << (width - 1));
-            }
-            zone
-        },
-    )
+    let depth = near_the_end(subject.outputs[1].width);
+    changed(zones, 8, depth, move |inputs, depth| {
+        planes.iter().for_each(|[kind, _]| inputs[*kind] &= !FRONT);
+        if let Some([kind, _]) = planes.first() {
+            inputs[*kind] = FRONT;
+        }
+        inputs[constant - 2..constant].fill(0);
+        inputs[constant] = depth;
+    })
 }
 
 /// The same zones of a surface with planes, but that in one of four one plane alone is there, flat, often beyond an
@@ -204,44 +212,36 @@ fn faces_beside_planes(subject: &Subject, zones: Stimuli) -> Stimuli {
     let plane = (0..planes.len(), kind, end);
     let beside = prop_oneof![Just(0), 0..width];
     let bits = (0..width, beside);
-    mapped(
-        (zones, 0u32..4, plane, bits, -1..=1i64, any::<Drawn>()),
-        move |(mut zone, chance, (n, kind, end), bits, side, drawn)| {
+    let drawn = (plane, bits, -1..=1i64, any::<Drawn>());
+    changed(
+        zones,
+        4,
+        drawn,
+        move |inputs, ((n, kind, end), bits, side, drawn)| {
             let (beyond, beside) = (1i64 << bits.0, 1i64 << bits.1);
-            for inputs in zone.iter_mut().filter(|_| chance == 0) {
-                planes.iter().for_each(|[kind, _]| inputs[*kind] = 0);
-                let [own_kind, constant] = planes[n];
-                inputs[own_kind] = kind;
-                inputs[constant - 2..constant].fill(0);
-                inputs[constant] = match end {
-                    end if end == far => far + beyond,
-                    end if end == least => least - beyond,
-                    inside => inside,
-                };
-                level(inputs, drawn, (end + side * beside).clamp(least, far));
-            }
-            zone
+            planes.iter().for_each(|[kind, _]| inputs[*kind] = 0);
+            let [own_kind, constant] = planes[n];
+            inputs[own_kind] = kind;
+            inputs[constant - 2..constant].fill(0);
+            inputs[constant] = match end {
+                end if end == far => far + beyond,
+                end if end == least => least - beyond,
+                inside => inside,
+            };
+            level(inputs, drawn, (end + side * beside).clamp(least, far));
         },
     )
 }
 
-/// The same zones of a sphere, but that in one of eight its front is flat and its back one bit away from the least
-/// word.
+/// The same zones of a sphere, but one in eight has a flat front, and a back one bit away from the least word.
 fn backs_near_the_end(subject: &Subject, zones: Stimuli) -> Stimuli {
     let place = |name| place(subject, name).expect("a word of a sphere");
     let (first, front, sum) = (place("front_a2"), place("front_f"), place("depth_sum"));
     let width = subject.outputs[1].width;
-    mapped(
-        (zones, 0u32..8, 0..width - 1),
-        move |(mut zone, chance, bit)| {
-            for inputs in zone.iter_mut().filter(|_| chance == 0) {
-                inputs[first..front].fill(0);
-                let back = (1 << bit) - (1 << (width - 1));
-                inputs[sum] = (inputs[front] >> (width - 2)) + back;
-            }
-            zone
-        },
-    )
+    changed(zones, 8, near_the_end(width), move |inputs, back| {
+        inputs[first..front].fill(0);
+        inputs[sum] = (inputs[front] >> (width - 2)) + back;
+    })
 }
 
 pub(super) fn polyhedron_processor(format: Format, planes: usize) -> Description {
@@ -312,8 +312,7 @@ pub(super) fn volume(format: Format, planes: usize, rows_per_stage: Option<usize
     zone(points, format, clocks, words, read, pixel)
 }
 
-/// Words held over a zone, and a visible depth that changes every clock: at the parts of the volume, at the ends, or
-/// anything.
+/// Words held over a zone, and a visible depth that changes every clock: at parts of the volume, at ends, anywhere.
 fn points(subject: &Subject, clocks: usize) -> Stimuli {
     let width = subject.inputs[DEPTH].width;
     let plan = [

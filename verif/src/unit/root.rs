@@ -19,6 +19,7 @@ fn unsigned(value: i128, width: u32) -> u128 {
 /// A free running member: one radicand and one result each clock.
 pub(super) fn network(format: Format, method: Method, rows_per_stage: usize) -> Description {
     let latency = method.latency(format.root, rows_per_stage as u32) as usize;
+    let radicands = |s: &Subject, clocks| each(vec![radicand(&s.inputs[0])], clocks);
     Description::new(radicands, move || {
         let mut late = late(latency);
         move |i: &[i64]| {
@@ -31,10 +32,6 @@ pub(super) fn network(format: Format, method: Method, rows_per_stage: usize) -> 
             values
         }
     })
-}
-
-fn radicands(subject: &Subject, clocks: usize) -> Stimuli {
-    each(vec![radicand(&subject.inputs[0])], clocks)
 }
 
 pub(super) fn iterative(format: Format) -> Description {
@@ -81,8 +78,7 @@ const F2_VALUE: usize = 11;
 
 /// Words change where the root network has drained: the processor of f1 starts behind it.
 ///
-/// Half of the time f2 begins at or beside a square and goes on in small steps, where the root tells one radicand from
-/// the next.
+/// Half of the time f2 begins at or beside a square and goes on in small steps, where roots are told apart.
 fn any_words(subject: &Subject, clocks: usize) -> Stimuli {
     let rows = subject.latency - 2;
     let words = subject.inputs.len();

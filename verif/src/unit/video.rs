@@ -211,6 +211,10 @@ fn any_zones(_: &Subject, clocks: usize) -> Stimuli {
 pub(super) fn video_timing(mode: usize) -> Description {
     let mode = VideoMode::ALL[mode];
     let frame = mode.clocks() as usize;
+    let mostly_enabled = |_: &Subject, clocks| {
+        let enable = prop_oneof![15 => Just(1i64), 1 => Just(0)];
+        each(vec![enable.boxed()], clocks)
+    };
     Description::new(mostly_enabled, move || {
         let mut timing = VideoTiming::new(mode, LEAD as u64);
         move |i: &[i64]| {
@@ -228,12 +232,6 @@ pub(super) fn video_timing(mode: usize) -> Description {
 fn shown(pixel: &Shown) -> Vec<i64> {
     let flags = [pixel.active, pixel.start, pixel.line].map(i64::from);
     [&flags[..], &[pixel.x, pixel.y].map(i64::from)].concat()
-}
-
-/// Now and then a clock without `enable`.
-fn mostly_enabled(_: &Subject, clocks: usize) -> Stimuli {
-    let enable = prop_oneof![15 => Just(1i64), 1 => Just(0)];
-    each(vec![enable.boxed()], clocks)
 }
 
 fn colour(words: &[i64]) -> [u8; 3] {
@@ -301,8 +299,7 @@ fn write((width, height, kernel, pauses, noise): &Picture, clocks: &mut Vec<Inpu
     }
 }
 
-/// Small pictures one after the other; where there are clocks enough, now and then first one that is as high or as
-/// wide as can be.
+/// Small pictures one after the other; in a long stimulus now and then first one as high or as wide as can be.
 fn pictures(_: &Subject, clocks: usize) -> Stimuli {
     let up_to = |most: i64| (0..=most).boxed();
     let flags = [up_to(3), up_to(2), up_to(1), up_to(1)];
@@ -362,9 +359,8 @@ fn planes(_: &Subject, clocks: usize) -> Stimuli {
     );
     let one = (write, shown, pixel).prop_map(
         |((write, address, data), (enable, over), (valid, (width, x, y), colour))| {
-            let mut inputs = vec![write, address, data, enable, over, width, valid, x, y];
-            inputs.extend(colour);
-            inputs
+            let inputs = [write, address, data, enable, over, width, valid, x, y];
+            [&inputs[..], &colour].concat()
         },
     );
     list(one, clocks).boxed()
@@ -421,12 +417,8 @@ fn passes(_: &Subject, clocks: usize) -> Stimuli {
                 }
                 let last = early || *passes == most;
                 let fine = if last { fine } else { other };
-                let flags = [fine, valid].map(i64::from);
-                let mut inputs = flags.to_vec();
-                inputs.push(place);
-                inputs.extend([first, last].map(i64::from));
-                inputs.extend(colour);
-                inputs
+                let [fine, valid, first, last] = [fine, valid, first, last].map(i64::from);
+                [&[fine, valid, place, first, last][..], &colour].concat()
             });
         each.collect()
     })

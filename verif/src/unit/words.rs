@@ -3,7 +3,7 @@
 use imogene_contract::{Request, Unit};
 use imogene_golden::format::{Format, wrap};
 use imogene_golden::object::polyhedron::PolyhedronWords;
-use imogene_golden::object::quadric::{PlaneWords, QuadricWords, ScreenBox};
+use imogene_golden::object::quadric::{PlaneWords, ScreenBox};
 use imogene_golden::object::slot::ProcessorWords;
 use imogene_golden::object::volume::VolumeWords;
 use imogene_golden::unit::cut_plane::PlaneKind;
@@ -127,8 +127,7 @@ impl Ports {
         self.linear(l, self.format.normal_linear);
     }
 
-    /// The words on the ports are preconditioned, modulo their width. `a2 = 2a` and `b2 = 2b` have no unique half
-    /// modulo 2^n, but the halves may be taken in one bit more.
+    /// The words on ports are preconditioned, modulo their width; halves of `a2` and `b2` are taken in one bit more.
     pub fn quadratic(&mut self, q: &mut Quadratic) {
         self.quadratic_of(q, self.format.quadratic);
     }
@@ -157,16 +156,14 @@ impl Ports {
         }
     }
 
-    fn class(&mut self, value: &mut Class) {
-        let mut word = *value as i64;
-        self.number(&mut word, |word| word as i64);
-        *value = Class::ALL[word as usize];
+    /// One of so many, by its index.
+    fn choice<T: Copy>(&mut self, mut index: i64, all: &[T]) -> T {
+        self.number(&mut index, |word| word as i64);
+        all[index as usize]
     }
 
     fn plane(&mut self, kind: &mut PlaneKind, depth: &mut Linear) {
-        let mut word = *kind as i64;
-        self.number(&mut word, |word| word as i64);
-        *kind = PlaneKind::ALL[word as usize];
+        *kind = self.choice(*kind as i64, &PlaneKind::ALL);
         self.line(depth);
     }
 
@@ -199,12 +196,6 @@ impl Ports {
         self.number(&mut normal.shift, |word| word as u8);
     }
 
-    fn quadric_processor(&mut self, q: &mut QuadricWords) {
-        self.quadric(&mut q.f1, &mut q.f2, &mut q.normal, &mut q.screen_box);
-        self.class(&mut q.class);
-        self.planes(&mut q.planes);
-    }
-
     pub fn polyhedron(&mut self, p: &mut PolyhedronWords) {
         self.screen_box(&mut p.screen_box);
         self.planes(&mut p.planes);
@@ -212,7 +203,11 @@ impl Ports {
 
     pub fn processor(&mut self, words: &mut ProcessorWords) {
         match words {
-            ProcessorWords::Quadric(q) => self.quadric_processor(q),
+            ProcessorWords::Quadric(q) => {
+                self.quadric(&mut q.f1, &mut q.f2, &mut q.normal, &mut q.screen_box);
+                q.class = self.choice(q.class as i64, &Class::ALL);
+                self.planes(&mut q.planes);
+            }
             ProcessorWords::Patch(q) => {
                 self.quadric(&mut q.f1, &mut q.f2, &mut q.normal, &mut q.screen_box);
                 for plane in &mut q.planes {
@@ -287,7 +282,7 @@ impl Ports {
             self.plane(&mut plane.kind, &mut plane.depth);
         }
         if let Some(q) = &mut v.quadric {
-            self.class(&mut q.class);
+            q.class = self.choice(q.class as i64, &Class::ALL);
             self.number(&mut q.shift, |word| word as u8);
         }
     }
