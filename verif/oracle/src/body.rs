@@ -1,9 +1,7 @@
-//! Objects as a line of sight meets them: in a frame of their own, in which their quadric is a canonical one with small
-//! whole coefficients.
+//! Objects as a line of sight meets them: each in a frame in which its quadric has small whole coefficients.
 //!
-//! The parameter of a line is the same in every frame, so hits of different objects compare. A tetrahedral patch has
-//! the barycentric coordinates of its corners for a frame: its weights are its matrix, and its faces are where a
-//! coordinate is zero.
+//! The parameter of a line is the same in every frame, so hits of different objects compare. The frame of a
+//! tetrahedral patch is barycentric: its weights are its matrix, its faces are where a coordinate is zero.
 
 use crate::camera::{Affine, Sight};
 use crate::facet::{Triangle, triangles};
@@ -126,8 +124,7 @@ fn canonical(object: &Object) -> Canonical {
     (frame, form, object.cuts.iter().map(plane).collect())
 }
 
-/// The radii that make a family's quadric a canonical one, and that; the matrix of written coefficients; nothing for a
-/// polyhedron.
+/// The radii that make the quadric of a family canonical, and its matrix; no matrix for a polyhedron.
 fn form(shape: &Shape) -> ([f64; 3], Option<Matrix>) {
     let none = [0, 0, 0];
     let (radii, form) = match *shape {

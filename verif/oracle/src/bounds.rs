@@ -1,8 +1,7 @@
 //! How far a golden depth may be from the true one at a pixel where both see the same face, by the kind of processor.
 //!
-//! Quadric and patch processors have bounds that are proven pixel by pixel ([`imogene_analysis::bounds::depth_bound`]),
-//! and so has the first generation, which has the depth words of the quadric processor. The others follow from what
-//! their words are rounded from.
+//! Quadric and patch processors have bounds that are proven pixel by pixel ([`depth_bound`]); the first generation has
+//! the depth words of the quadric processor. The others follow from what their words round.
 
 use crate::body::Body;
 use imogene_algebra::rational::to_f64;
@@ -28,11 +27,9 @@ pub struct Bounds {
 enum Bound {
     /// Proven at each pixel from its f2; the normals as well, if these are the words that are drawn.
     Proven(Box<PreparedQuadric>, bool),
-    /// The same at every pixel of a face: of number 0, and of any other; and whether the normals are those of planes,
-    /// rounded.
+    /// The same at every pixel of a face: of number 0, and of any other; and whether its normals are rounded planes.
     Level([f64; 2], bool),
-    /// By the facet that is seen, its slope in depth words for a pixel across and a pixel down: a corner is up to a
-    /// 32nd of a pixel off.
+    /// By facet, its slope in depth words for a pixel across and a pixel down: a corner is off by up to a 32nd pixel.
     Facets(Vec<(u32, f64)>),
 }
 
@@ -111,8 +108,7 @@ impl Bounds {
         Some(degrees.to_radians())
     }
 
-    /// Most that a golden depth of a facet may differ from the true one at a pixel beside it; nothing for objects that
-    /// are no facets.
+    /// Most that a golden depth of a facet may differ from the true one at a pixel beside it; `None` for no facet.
     pub fn one_pixel_on(&self, object: u32, part: u32) -> Option<f64> {
         match &self.objects[object as usize] {
             Bound::Facets(facets) => {
@@ -123,8 +119,7 @@ impl Bounds {
     }
 }
 
-/// Objects of the first generation are prepared once more for the quadric processor, which has the same depth words
-/// and states their bounds.
+/// Objects of the first generation are prepared again for the quadric processor, which has their depth words.
 fn as_quadrics(
     scene: &FramedScene,
     prepared: &PreparedScene,

@@ -4,9 +4,8 @@
 //! t is 1 at twice the near end and the depth of a point, as a share of the depth word's greatest value, is
 //! `1 - 1/t`; in parallel projection it is t itself, -1 at the near end and 1 at the far end.
 //!
-//! The screen axes of a camera are double-precision numbers and therefore not quite at right angles. The scene is the
-//! exact scene with these numbers, so that a line of sight follows the dual axes: the cross products of the others
-//! over the determinant.
+//! The screen axes of a camera are double-precision numbers, not quite at right angles. The scene is the exact scene
+//! with these, so a line of sight follows the dual axes: cross products of the others over the determinant.
 
 use crate::interval::Interval;
 use crate::transform::{Vector, apply, placement, unit};
@@ -43,39 +42,34 @@ impl Sight {
         let ([eye, target], [view, up]) = observer(camera);
         let [right, down, forward] = screen_axes(view, up);
         let half_pixel = from_decimal(camera.view_height) / integer(2 * i64::from(height));
-        // Through places (X, Y).
-        let (mut from, mut along, perspective) = match camera.lens {
+        let (half_pixel, start, still, perspective) = match camera.lens {
             Lens::Perspective {
                 viewer_distance, ..
             } => {
                 let distance = integer(2) * &range.near;
                 // Of the window at that distance.
                 let half_pixel = half_pixel * &distance / from_decimal(viewer_distance);
-                let [right, down] = [right, down].map(|axis| scaled(axis, &half_pixel));
-                let along = [right, down, scaled(forward, &distance)];
-                ([zero(), zero(), eye], along, true)
+                (half_pixel, scaled(forward, &distance), eye, true)
             }
             Lens::Orthographic { .. } => {
                 let far = range.far.as_ref().expect("a parallel view has a far end");
-                let (middle, half) = ((far + &range.near), (far - &range.near));
-                let [middle, half] = [middle, half].map(|length| length / integer(2));
+                let ends = [far + &range.near, far - &range.near];
+                let [middle, half] = ends.map(|length| length / integer(2));
                 let away = scaled(forward.clone(), &middle);
                 let origin = std::array::from_fn(|k| &target[k] + &away[k]);
-                let [right, down] = [right, down].map(|axis| scaled(axis, &half_pixel));
-                let along = [zero(), zero(), scaled(forward, &half)];
-                ([right, down, origin], along, false)
+                (half_pixel, origin, scaled(forward, &half), false)
             }
         };
-        let [column, line, start] = match perspective {
-            true => &mut along,
-            false => &mut from,
+        let [right, down] = [right, down].map(|axis| scaled(axis, &half_pixel));
+        let [x, y] = camera.sample_at.map(|v| from_decimal(v) * integer(2));
+        let start = std::array::from_fn(|k| &start[k] + &right[k] * &x + &down[k] * &y);
+        // Of places (X, Y), and the same for all.
+        let moving = [right, down, start];
+        let still = [Vector::default(), Vector::default(), still];
+        let (from, along) = match perspective {
+            true => (still, moving),
+            false => (moving, still),
         };
-        let halves = camera.sample_at.map(|v| from_decimal(v) * integer(2));
-        for (axis, halves) in [column, line].into_iter().zip(&halves) {
-            for (sum, part) in start.iter_mut().zip(axis) {
-                *sum += &*part * halves;
-            }
-        }
         Sight {
             width,
             height,
@@ -142,10 +136,6 @@ impl Sight {
     }
 }
 
-fn zero() -> Vector {
-    std::array::from_fn(|_| BigRational::zero())
-}
-
 /// A point as it is written.
 pub(crate) fn point(at: &[f64; 3]) -> Vector {
     let [x, y, z] = at.map(from_decimal);
@@ -157,8 +147,7 @@ fn scaled(axis: [BigRational; 3], factor: &BigRational) -> Vector {
     [x, y, z, BigRational::zero()]
 }
 
-/// Eye and target of an observer, and the directions of view and up, after the steps of the placement; without any the
-/// directions are the written numbers.
+/// Eye and target of an observer, and its directions of view and up: as written, unless placement steps move them.
 fn observer(camera: &Camera) -> ([Vector; 2], [[f64; 3]; 2]) {
     let (ends, up) = ([&camera.eye, &camera.target], camera.up);
     let steps = &camera.node.place;

@@ -12,7 +12,6 @@ use crate::camera::{Affine, Sight, point};
 use crate::interval::{Interval, about_all, dot};
 use crate::trace::material;
 use crate::transform::{apply, placement};
-use imogene_algebra::rational::from_decimal;
 use imogene_scene::{Beam, Light, Material, SceneFile};
 use num_rational::BigRational;
 use num_traits::Zero;
@@ -22,8 +21,7 @@ type Direction = [Interval; 3];
 /// Red, green and blue in levels, 0 to 255.
 pub type Levels = [Interval; 3];
 
-/// What a level of the shading processor may be off, on the words that it has: half for its rounding, and more than any
-/// error before it that was ever found (`docs/shading.md`).
+/// What a level of the shading processor may be off: half for its rounding, and more than was ever found before it.
 const SHADED: f64 = 0.5 + 0.4;
 /// What the words of materials and of one source may cost besides.
 const WORDS: f64 = 0.1;
@@ -44,22 +42,16 @@ pub struct Colours {
     half: Option<f64>,
     background: Levels,
     sources: Vec<Source>,
-    /// Of the objects.
     materials: Vec<Material>,
 }
 
 #[derive(Debug)]
 struct Source {
-    place: Place,
+    /// Its place; of one that is far away the direction towards it, of length 1.
+    at: Direction,
+    is_far: bool,
     /// Times its intensity.
     colour: [f64; 3],
-}
-
-#[derive(Debug)]
-enum Place {
-    /// Everywhere the same direction towards it.
-    Towards(Direction),
-    At(Direction),
 }
 
 /// What is seen of one object at a pixel.
@@ -136,9 +128,9 @@ impl Colours {
         let ambient = |k: usize| material.ambient * self.ambient[k] * material.colour[k];
         let mut sum = each(|k| Interval::point(ambient(k)));
         for source in &self.sources {
-            let towards = match &source.place {
-                Place::Towards(direction) => *direction,
-                Place::At(at) => unit(each(|k| at[k] - place[k])),
+            let towards = match source.is_far {
+                true => source.at,
+                false => unit(each(|k| source.at[k] - place[k])),
             };
             let lambert = dot(&normal, &towards).clamped(-1.0, 1.0);
             if lambert.hi <= 0.0 {
@@ -164,19 +156,19 @@ impl Colours {
 impl Source {
     /// Nothing if it does not reach everything.
     fn new(light: &Light) -> Option<Source> {
-        let place = placement(&light.node.place);
-        let place = match &light.beam {
+        let (is_far, mut at) = match &light.beam {
             _ if light.shadows => return None,
             Beam::Spot { .. } => return None,
-            Beam::Point { position } => Place::At(direction(&apply(&place, &point(position)))),
-            Beam::Directional { from } => {
-                let [x, y, z] = from.map(from_decimal);
-                let from = apply(&place, &[x, y, z, BigRational::zero()]);
-                Place::Towards(unit(direction(&from)))
-            }
+            Beam::Point { position } => (false, point(position)),
+            Beam::Directional { from } => (true, point(from)),
         };
+        if is_far {
+            at[3] = BigRational::zero();
+        }
+        let at = direction(&apply(&placement(&light.node.place), &at));
         Some(Source {
-            place,
+            at: if is_far { unit(at) } else { at },
+            is_far,
             colour: light.colour.map(|v| v * light.intensity),
         })
     }

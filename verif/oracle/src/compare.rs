@@ -33,7 +33,6 @@ use serde::Serialize;
 const CORNER: f64 = 1.0 / 32.0;
 /// Levels to which a colour is known that is said to be known.
 pub const CLOSE_LEVELS: f64 = 4.0;
-/// Differences that are listed.
 const LISTED: usize = 16;
 
 /// What a pixel is; of several pictures the last of these. The first two show the same face.
@@ -57,8 +56,7 @@ pub enum Mark {
     Colour,
 }
 
-/// A picture of opaque objects, or of one transparent object alone: as it is traced, the golden one, and what is
-/// announced of it.
+/// A picture of opaque objects, or of one transparent object: as traced, as golden, and what is announced of it.
 pub struct Pair<'a> {
     /// The traced one.
     pub traced: Traced,
@@ -141,8 +139,7 @@ pub struct Comparison {
     pub colours: usize,
     /// Pixels whose colour is beyond its bound: none is allowed.
     pub colours_beyond_bound: usize,
-    /// Of these, pixels of which the tracer knows every component to within [`CLOSE_LEVELS`]; others are at outlines,
-    /// in steep highlights and where a source grazes the surface.
+    /// Of these, pixels known to within [`CLOSE_LEVELS`]; others are at outlines, in steep highlights or grazed.
     pub colours_known: usize,
     /// Greatest difference of a golden component from the middle of what is known there, in levels.
     pub colour_error: f64,
@@ -272,7 +269,6 @@ impl Judge<'_> {
         Mark::Depth
     }
 
-    /// Both sides of a pixel.
     fn difference(&self, (x, y): (usize, usize), seen: Option<TracedPixel>) -> Difference {
         let (index, golden) = (y * self.pair.traced.width + x, &self.pair.golden);
         Difference {
@@ -303,16 +299,14 @@ impl Judge<'_> {
         self.bounds.at(p.object, p.number, p.part, at)
     }
 
-    /// How closely the tracer knows a depth, in depth words, how closely words and their difference are told in
-    /// floating point, and what the entries of rotations, which the preparation computes by other formulas, may differ
-    /// by: some units in the last place of the depth range.
+    /// How closely the tracer knows a depth, in depth words, and some units in the last place of the depth range: for
+    /// differences in floating point, and for rotations, which the preparation computes by other formulas.
     fn slack(&self, pixel: &TracedPixel) -> f64 {
         let z_max = self.bounds.z_max;
         0.5 * pixel.depth.width() * z_max + 16.0 * f64::EPSILON * z_max
     }
 
-    /// Whether the golden picture shows a face that is at the pixel, at its own depth, and no farther from the traced
-    /// one than both bounds.
+    /// Whether the golden picture shows a face that is there at its depth, as near to the traced one as both bounds.
     fn is_tied(&self, golden: &Seen, traced: &TracedPixel, (x, y): (usize, usize)) -> bool {
         let Ok(object) = u32::try_from(golden.object) else {
             return false;
@@ -337,8 +331,7 @@ impl Judge<'_> {
             })
     }
 
-    /// Whether the golden picture shows a facet that comes as near to the pixel as its corners may be off, at its
-    /// depth.
+    /// Whether the golden picture shows, at its depth, a facet as near to the pixel as its corners may be off.
     fn is_grazed(&self, golden: &Seen, (x, y): (usize, usize)) -> bool {
         let object = u32::try_from(golden.object).ok();
         let Some(object) = object.filter(|&object| self.bounds.is_of_facets(object)) else {

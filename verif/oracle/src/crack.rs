@@ -72,8 +72,7 @@ impl Crack {
     }
 }
 
-/// Asks a tracer of the same scene about what was found: the detector needs no reference, but a narrow gap between two
-/// parts looks to it as a crack does.
+/// Asks a tracer of the same scene about what was found: a narrow gap between two parts looks like a crack.
 pub fn mark_openings(found: &mut [Crack], tracer: &Tracer) {
     for crack in found.iter_mut().filter(|crack| !crack.notch) {
         let seen = tracer.at(crack.x as u32, crack.y as u32);

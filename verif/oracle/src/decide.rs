@@ -1,8 +1,7 @@
 //! What a cell of pixels shows of one object, as far as intervals can tell.
 //!
-//! On the line of sight `from + t along` the quadric is `R t^2 + 2 S t + T`. A cell is one pixel, or a rectangle of
-//! pixels at once: then what is said holds at every one of them, which is how objects are found that are nowhere near
-//! (there is no other structure of space).
+//! On the line of sight `from + t along` the quadric is `R t^2 + 2 S t + T`. A cell is a pixel, or a rectangle of
+//! pixels of which each is as it is said: so objects are ruled out, with no other structure of space.
 
 use crate::body::{Body, CutBody};
 use crate::interval::{Interval, dot};

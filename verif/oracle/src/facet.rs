@@ -1,5 +1,4 @@
-//! Meshes along lines of sight: a triangle is met where the three volumes that a line makes with its sides have one
-//! sign.
+//! Meshes along lines of sight: a line meets a triangle if its three volumes with the sides have one sign.
 
 use crate::camera::{Sight, cross, point};
 use crate::interval::Interval;
@@ -100,8 +99,7 @@ impl Triangle {
         [0, 1].map(|k| 2.0 * Interval::about(&(&of[k] / constant)).middle().abs())
     }
 
-    /// The parameter at which the line of a pixel meets its plane, if the facet comes as near to the pixel, both
-    /// across and down, as `reach` (half pixels).
+    /// Where the line of a pixel meets its plane, if the facet comes within `reach` (half pixels), across and down.
     pub fn near(&self, (x, y): (i64, i64), reach: f64) -> Option<Interval> {
         let cell = Cell {
             x: x as f64,
@@ -189,8 +187,7 @@ impl Triangle {
     }
 }
 
-/// The determinant of the beginning of a line, its direction and two points; of first degree, since beginning or
-/// direction is the same for all lines.
+/// The determinant of a line's beginning and direction, one of them the same for all lines, and two points.
 fn volume(p: &Vector, q: &Vector, sight: &Sight) -> Form {
     let det = |from: &Vector, along: &Vector| determinant([from, along, p, q]);
     let (from, along) = (&sight.from, &sight.along);
@@ -226,8 +223,7 @@ fn dot(u: &[BigRational], v: &[BigRational]) -> BigRational {
 
 /// The triangles of a face, and whether each begins a facet of its own.
 ///
-/// A flat convex quadrangle is one facet; any other is two triangles that meet in the diagonal from the first corner
-/// if that is inside, else from the second.
+/// A flat convex quadrangle is one facet; any other is two, from the first corner if that diagonal is inside.
 fn split(vertices: &[Vector], corners: &[usize]) -> Vec<(bool, [usize; 3])> {
     let &[a, b, c, d] = corners else {
         return vec![(true, [corners[0], corners[1], corners[2]])];

@@ -35,8 +35,7 @@ pub struct Score {
     pub min_distance: f64,
     /// Pixels made.
     pub made: usize,
-    /// Of these, pixels whose background or object behind is farther than their whole surrounding by the minimum
-    /// distance.
+    /// Of these, pixels that show something farther than their whole surrounding by the minimum distance.
     pub deep: usize,
     /// Pixels made and flagged.
     pub found: usize,
@@ -75,7 +74,6 @@ fn share(part: usize, whole: usize) -> f64 {
 /// Pictures in which cracks can be made.
 pub struct Breakable {
     frame: Frame,
-    /// The picture without each object.
     without: Vec<Frame>,
     z_max: i64,
 }
@@ -89,7 +87,7 @@ impl Breakable {
             drawn(prepared, &rest.cloned().collect::<Vec<_>>())
         };
         Breakable {
-            frame: drawn(prepared, &slots),
+            frame: prepared.frame(|| ()),
             without: (0..prepared.objects.len()).map(without).collect(),
             z_max: prepared.format.z_max(),
         }

@@ -1,11 +1,10 @@
 //! Checks of pictures.
 //!
-//! [`trace`] draws a scene file by rays in scene coordinates, with intervals that know when they cannot tell and
-//! exact arithmetic where they cannot; [`compare`] holds the golden picture against it. No algorithm of the
-//! preparation, the golden model or the exact reference is used for the traced picture. [`crack`] looks for cracks in
-//! a picture without any reference, and [`inject`] makes some to see whether it finds them. [`repair`] solves the
-//! pixels exactly that short words leave open. [`ordinary`] writes scenes at random, and [`survey`] counts what
-//! becomes of them.
+//! [`trace`] draws a scene file by rays in scene coordinates, in intervals, and exactly where these cannot tell;
+//! [`compare`] holds the golden picture against it. No algorithm of the preparation, the golden model or the exact
+//! reference takes part. [`crack`] looks for cracks without any reference, [`inject`] makes some to see whether it
+//! finds them. [`repair`] solves the pixels that short words leave open. [`ordinary`] writes scenes at random,
+//! [`survey`] counts what becomes of them.
 //!
 //! ```
 //! use imogene_golden::format::Format;

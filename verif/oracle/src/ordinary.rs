@@ -2,8 +2,7 @@
 //! projections. In some one of them is of glass, in others two or three balls of glass, each in the next, are among
 //! them: of these the order is that of their size.
 //!
-//! A scene is the text of a scene file, so that what goes wrong with one can be kept as it is. The same seed gives
-//! the same text on every computer.
+//! A scene is the text of a scene file, which can be kept. The same seed gives the same text on every computer.
 
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;

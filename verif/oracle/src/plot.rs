@@ -1,5 +1,4 @@
-//! Cracks made on purpose as a picture: recall and precision of the detector over its minimum distance (Claux 2014,
-//! section IV.2.2).
+//! Recall and precision of the crack detector over its minimum distance, as a picture (Claux 2014, section IV.2.2).
 
 use crate::inject::{Score, Sort};
 use plotters::coord::Shift;

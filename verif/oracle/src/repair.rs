@@ -1,12 +1,10 @@
-//! Selective exact repair: short words everywhere, exact arithmetic where they cannot decide (Claux, sections IV.2.4
-//! and IV.2.5).
+//! Exact repair: short words everywhere, exact arithmetic where they cannot decide (Claux, IV.2.4 and IV.2.5).
 //!
 //! A pixel is *open* if the proven bounds of the words leave presence, face or order of objects to the rounding
 //! ([`Jury`]), or if an object of a processor without such bounds can be on it. Open pixels are solved exactly and
 //! replace those of the first pass; all others keep its words bit for bit. Then object and face are the true ones at
 //! every pixel: by proof where the words decided, by computation where they did not.
 
-use crate::run::drawn;
 use imogene_analysis::bounds::Jury;
 use imogene_analysis::exact::render::{render_where, to_frame};
 use imogene_golden::machine::frame::Frame;
@@ -48,7 +46,7 @@ pub struct RepairReport {
 pub fn repair(scene: &FramedScene, prepared: &PreparedScene, done: impl Fn() + Sync) -> Repaired {
     let format = &prepared.format;
     let started = Instant::now();
-    let first = drawn(prepared, &prepared.slots());
+    let first = prepared.frame(|| ());
     let first_seconds = started.elapsed().as_secs_f64();
     let started = Instant::now();
     let open = open_pixels(prepared);

@@ -105,23 +105,18 @@ impl Real {
                         return Ordering::Equal;
                     }
                 }
-                self.narrowed_until_apart(other)
+                let mut bits = 64;
+                loop {
+                    let (one, two) = (self.between(bits), other.between(bits));
+                    if one.1 < two.0 {
+                        return Ordering::Less;
+                    }
+                    if two.1 < one.0 {
+                        return Ordering::Greater;
+                    }
+                    bits *= 2;
+                }
             }
-        }
-    }
-
-    /// Only of different numbers.
-    fn narrowed_until_apart(&self, other: &Real) -> Ordering {
-        let mut bits = 64;
-        loop {
-            let (one, two) = (self.between(bits), other.between(bits));
-            if one.1 < two.0 {
-                return Ordering::Less;
-            }
-            if two.1 < one.0 {
-                return Ordering::Greater;
-            }
-            bits *= 2;
         }
     }
 

@@ -39,8 +39,7 @@ pub struct Compared {
     pub scene: (FramedScene, PreparedScene),
 }
 
-/// Draws a scene by the golden model and by the tracer, and compares; `progress` gets the number of steps, once for
-/// each of them.
+/// Draws a scene by golden model and tracer, and compares; each step tells `progress` how many there are.
 ///
 /// # Errors
 ///
@@ -103,7 +102,7 @@ pub fn pictures<'a>(
     let opaque = traced.next().map(|traced| Pair {
         traced,
         jury: Jury::of_words(prepared),
-        golden: drawn(prepared, &prepared.slots()),
+        golden: prepared.frame(|| ()),
     });
     let glass = traced.zip(&tracer.glass);
     let glass = glass.map(|(traced, &object)| alone(prepared, object as usize, traced));

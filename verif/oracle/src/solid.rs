@@ -103,43 +103,30 @@ impl SolidBody {
             let Some(at) = behind(crossing, next, ends) else {
                 continue;
             };
-            if self.contains(&self.operation, &|object| is_in(object, &at)) {
-                let faces = crossings[..=index].iter();
-                let faces = faces.filter(|face| face.compare(crossing) == Ordering::Equal);
-                return self.face(faces, &|object| is_in(object, &at), before.as_ref(), &is_in);
+            let is_behind = |object: u32| is_in(object, &at);
+            if !self.contains(&self.operation, &is_behind) {
+                before = Some(at);
+                continue;
             }
-            before = Some(at);
+            // Of the faces at this point, that of an object whose inside begins or ends there: a front first, then the
+            // earlier object.
+            let was_in = |object| before.as_ref().is_some_and(|at| is_in(object, at));
+            let faces = crossings[..=index].iter().filter(|face| {
+                let is_cap = face.number == FACE_NEAR_END && is_behind(face.object);
+                let changes = is_cap || was_in(face.object) != is_behind(face.object);
+                changes && face.compare(crossing) == Ordering::Equal
+            });
+            let face = faces.min_by_key(|face| (!is_behind(face.object), face.object))?;
+            // A back is seen from behind, where the far root of a quadric is the near one.
+            let number = match (is_behind(face.object), face.number) {
+                (false, FACE_NEAR) => FACE_FAR,
+                (false, FACE_FAR) => FACE_NEAR,
+                (_, number) => number,
+            };
+            let t = face.t.clone();
+            return Some((face.object, Solved { t, number, part: 0 }));
         }
         None
-    }
-
-    /// Of the faces at one point, that of an object whose inside begins or ends there: a front first, then the earlier
-    /// object. A back is seen from behind, where the far root of a quadric is the near one.
-    fn face<'a>(
-        &self,
-        faces: impl Iterator<Item = &'a Crossing>,
-        is_behind: &dyn Fn(u32) -> bool,
-        before: Option<&BigRational>,
-        is_in: &dyn Fn(u32, &BigRational) -> bool,
-    ) -> Option<(u32, Solved)> {
-        let was_in = |object: u32| before.is_some_and(|at| is_in(object, at));
-        let faces = faces.filter(|face| {
-            let is_cap = face.number == FACE_NEAR_END && is_behind(face.object);
-            is_cap || was_in(face.object) != is_behind(face.object)
-        });
-        let order = |face: &&Crossing| (!is_behind(face.object), face.object);
-        let face = faces.min_by_key(order)?;
-        let number = match (is_behind(face.object), face.number) {
-            (false, FACE_NEAR) => FACE_FAR,
-            (false, FACE_FAR) => FACE_NEAR,
-            (_, number) => number,
-        };
-        let solved = Solved {
-            t: face.t.clone(),
-            number,
-            part: 0,
-        };
-        Some((face.object, solved))
     }
 
     /// What the scene file says of a point.

@@ -1,5 +1,4 @@
-//! What a pixel shows of one object, exactly: whole numbers, and roots of quadratic polynomials with whole
-//! coefficients.
+//! What a pixel shows of one object, exactly: whole numbers, and roots of quadratic polynomials of whole numbers.
 
 use crate::body::{Body, CutBody, Whole};
 use crate::root::{Quadratic, Real};
@@ -47,15 +46,15 @@ impl CutBody {
         found.map(|(t, number)| Solved { t, number, part: 0 })
     }
 
-    /// The line of sight of a pixel.
     pub(crate) fn sight_line<'a>(&self, x: i64, y: i64, ends: &'a Ends) -> Line<'a> {
         let at = |[a, b, c]: &[Whole; 3]| -> Whole {
             std::array::from_fn(|k| &a[k] * x + &b[k] * y + &c[k])
         };
         let (from, along) = (at(&self.exact.from), at(&self.exact.along));
-        let form = |u: &Whole, v: &Whole| match &self.exact.form {
-            Some(form) => bilinear(form, u, v),
-            None => BigInt::zero(),
+        let form = |u: &Whole, v: &Whole| -> BigInt {
+            let rows = self.exact.form.iter().flatten().zip(u);
+            let rows = rows.filter(|(_, a)| !a.is_zero());
+            rows.map(|(row, a)| a * dot(row, v)).sum()
         };
         Line {
             q: Quadratic {
@@ -129,8 +128,7 @@ impl CutBody {
         roots.find(|(t, _)| self.surely_keeps(line, t))
     }
 
-    /// Where a line of sight meets the quadric, in ascending order, each with the number of the face; nothing if it
-    /// lies within.
+    /// Where a line of sight meets the quadric, in ascending order, and the face; nothing if the line lies within it.
     pub(crate) fn roots(&self, q: &Quadratic) -> Vec<(Real, u8)> {
         if q.a.is_zero() {
             let only = || Real::Fraction(BigRational::new(-&q.c, &q.b * 2));
@@ -163,9 +161,4 @@ impl CutBody {
 
 fn dot(u: &Whole, v: &Whole) -> BigInt {
     u.iter().zip(v).map(|(a, b)| a * b).sum()
-}
-
-fn bilinear(form: &[Whole; 4], u: &Whole, v: &Whole) -> BigInt {
-    let rows = form.iter().zip(u).filter(|(_, a)| !a.is_zero());
-    rows.map(|(row, a)| a * dot(row, v)).sum()
 }

@@ -1,5 +1,4 @@
-//! What becomes of many scenes: how many are refused, how many the check fails, and where golden and traced picture
-//! differ.
+//! What becomes of many scenes: refusals, failed checks, and differences of golden and traced picture.
 
 use crate::ordinary::scene_text;
 use crate::run::{Compared, Outcome, run};

@@ -1,5 +1,4 @@
-//! A picture by rays: cells of pixels that are quartered until few objects are left, then every pixel by intervals,
-//! then exactly where they cannot tell.
+//! A picture by rays: cells of pixels, quartered until few objects are left, then pixels, exactly where needed.
 //!
 //! An object leaves the list of a cell when intervals prove that it is nowhere on it, or behind another that is
 //! everywhere on it. Nothing is left open: exact arithmetic always decides, so no pixel of the result is uncertain.
@@ -17,8 +16,7 @@ use rayon::prelude::*;
 const LARGEST: u32 = 64;
 /// Side of cells that are not quartered further.
 const SMALLEST: u32 = 4;
-/// A depth that is known less closely, as a share of the greatest depth word, is taken from the exact root: 2^-13
-/// words of 24 bits, 2^-5 of 32.
+/// A depth known less closely, as a share of the greatest word, comes from the exact root: 2^-13 words of 24 bits.
 const CLOSE: f64 = 1.0 / (1u64 << 36) as f64;
 
 /// What is seen at a pixel.
@@ -86,8 +84,7 @@ impl Tracer {
         }
     }
 
-    /// Draws the picture of all that nothing is seen through; `done` is called once for each of [`Tracer::steps`], from
-    /// any thread.
+    /// Draws all that nothing is seen through; `done` is called for each of [`Tracer::steps`], from any thread.
     pub fn draw(&self, done: impl Fn() + Sync) -> Traced {
         self.picture(&self.opaque(), done)
     }
@@ -142,15 +139,12 @@ impl Tracer {
     /// What one object alone shows at a pixel, in exact arithmetic.
     pub fn alone(&self, object: u32, x: u32, y: u32) -> Option<TracedPixel> {
         // One of a solid is asked for with all others of it.
-        let list = match self.solids.iter().find(|solid| solid.has(object)) {
-            None => self.of(|id| id == object),
-            Some(solid) => self.of(|id| solid.has(id)),
-        };
+        let solid = self.solids.iter().find(|solid| solid.has(object));
+        let list = self.of(|id| id == object || solid.is_some_and(|solid| solid.has(id)));
         self.solve(x, y, &list)
     }
 
-    /// The facets of an object that come within `reach` of a pixel, across and down: their numbers, and the depths of
-    /// their planes there.
+    /// The facets of an object within `reach` of a pixel, across and down: number, and depth of the plane there.
     pub fn facets_near(&self, object: u32, (x, y): (u32, u32), reach: f64) -> Vec<(u32, Interval)> {
         let place = self.sight.place(x, y);
         let own = self.bodies.iter().filter(|(id, _)| *id == object);
@@ -225,8 +219,13 @@ impl Tracer {
                 }
             }
         } else {
-            for quarter in quarters(area) {
-                self.area(quarter, &list, pixels);
+            let (x, y) = ((x0 + x1).div_ceil(2), (y0 + y1).div_ceil(2));
+            for (y0, y1) in [(y0, y), (y, y1)] {
+                for (x0, x1) in [(x0, x), (x, x1)] {
+                    if x0 < x1 && y0 < y1 {
+                        self.area([[x0, y0], [x1, y1]], &list, pixels);
+                    }
+                }
             }
         }
     }
@@ -304,12 +303,3 @@ pub(crate) fn material<'a>(scene: &'a SceneFile, object: &Object) -> &'a Materia
 
 /// Pixels from one column and line to before another.
 type Area = [[u32; 2]; 2];
-
-fn quarters([[x0, y0], [x1, y1]]: Area) -> Vec<Area> {
-    let (x, y) = ((x0 + x1).div_ceil(2), (y0 + y1).div_ceil(2));
-    let columns = [(x0, x), (x, x1)];
-    let lines = [(y0, y), (y, y1)].into_iter();
-    let all = lines.flat_map(|(y0, y1)| columns.map(|(x0, x1)| [[x0, y0], [x1, y1]]));
-    all.filter(|[from, to]| from[0] < to[0] && from[1] < to[1])
-        .collect()
-}
