@@ -1,10 +1,9 @@
 //! Named signals and their values, the common language of engines, scoreboard and traces.
 
 use imogene_hdl::PortRecord;
-use serde::Serialize;
 
 /// A port or an internal point of a design.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Signal {
     /// Name, as in the Verilog.
     pub name: String,
@@ -64,10 +63,7 @@ impl<T> Delay<T> {
     /// Puts a value in and takes out the one put in `clocks` pushes ago, if there was one.
     pub fn push(&mut self, value: T) -> Option<T> {
         self.held.push_back(value);
-        if self.held.len() > self.clocks {
-            self.held.pop_front()
-        } else {
-            None
-        }
+        let is_full = self.held.len() > self.clocks;
+        is_full.then(|| self.held.pop_front())?
     }
 }

@@ -18,11 +18,10 @@ pub fn word(signal: &Signal) -> BoxedStrategy<i64> {
         let value = (1u64 << bit).wrapping_add(offset as u64);
         if negate { value.wrapping_neg() } else { value }
     });
-    let scaled =
-        (any::<u64>(), 0..width).prop_map(move |(value, shift)| value >> (64 - width + shift));
-    prop_oneof![2 => uniform, 2 => power, 1 => scaled]
-        .prop_map(move |bits| signal.value(bits))
-        .boxed()
+    let scaled = (any::<u64>(), 0..width);
+    let scaled = scaled.prop_map(move |(value, shift)| value >> (64 - width + shift));
+    let bits = prop_oneof![2 => uniform, 2 => power, 1 => scaled];
+    mapped(bits, move |bits| signal.value(bits))
 }
 
 /// What a function makes of drawn values.
@@ -38,8 +37,7 @@ pub fn each(ports: Vec<BoxedStrategy<i64>>, clocks: usize) -> Stimuli {
     proptest::collection::vec(ports, clocks).boxed()
 }
 
-/// Raster flags `valid`, `start`, `line`: gaps, lines of any length down to one pixel, restarts in the middle. The
-/// first clock starts a zone.
+/// Raster flags `valid`, `start`, `line`: gaps, lines down to one pixel, restarts. The first clock starts a zone.
 pub fn flags() -> BoxedStrategy<[i64; 3]> {
     prop_oneof![
         12 => Just([1, 0, 0]),
@@ -65,8 +63,7 @@ pub fn raster(subject: &Subject, clocks: usize) -> Stimuli {
 /// Clocks with a pixel between two in which words change, where that takes a pause.
 const STRETCH: usize = 24;
 
-/// Words on some ports change with the start of a zone alone, and where a pipeline has to drain first, after a pause of
-/// so many clocks, which this makes.
+/// Words on some ports change with the start of a zone alone, after a pause of so many clocks, which this makes.
 pub fn hold(list: &mut [Inputs], words: std::ops::Range<usize>, pause: usize) {
     let mut held = list[0][words.clone()].to_vec();
     for (clock, inputs) in list.iter_mut().enumerate() {
@@ -88,22 +85,19 @@ pub fn hold(list: &mut [Inputs], words: std::ops::Range<usize>, pause: usize) {
 
 /// Radicands: uniform, of every length, and at the places where the floor root steps.
 pub fn radicand(signal: &Signal) -> BoxedStrategy<i64> {
-    let signal = signal.clone();
-    let width = signal.width;
-    let root_mask = u64::MAX >> (64 - width / 2);
-    let boundary = (any::<u64>(), 0..width / 2, select(vec![-1i64, 0, 1, 2])).prop_map(
-        move |(root, shift, place)| {
-            let n = (root & root_mask) >> shift;
-            let square = n.wrapping_mul(n);
-            match place {
-                2 => square.wrapping_add(n.wrapping_mul(2)),
-                offset => square.wrapping_add(offset as u64),
-            }
-        },
-    );
-    let signal_at = signal.clone();
-    let square = boundary.prop_map(move |bits| signal_at.value(bits));
-    prop_oneof![2 => square, 1 => word(&signal)].boxed()
+    let (any_word, signal) = (word(signal), signal.clone());
+    let root_mask = u64::MAX >> (64 - signal.width / 2);
+    let place = select(vec![-1i64, 0, 1, 2]);
+    let boundary = (any::<u64>(), 0..signal.width / 2, place);
+    let boundary = boundary.prop_map(move |(root, shift, place)| {
+        let n = (root & root_mask) >> shift;
+        let square = n.wrapping_mul(n);
+        signal.value(match place {
+            2 => square.wrapping_add(n.wrapping_mul(2)),
+            offset => square.wrapping_add(offset as u64),
+        })
+    });
+    prop_oneof![2 => boundary, 1 => any_word].boxed()
 }
 
 /// Depths that meet: a few levels around the ends of the depth word and zero, so that ties are common.

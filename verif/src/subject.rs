@@ -1,5 +1,4 @@
-//! A unit under co-simulation: its ports, its hardware and its golden model behind one interface, and the scoreboard
-//! over them.
+//! A unit under co-simulation: ports, hardware and golden model behind one interface, and the scoreboard over them.
 
 use crate::report::Report;
 use crate::signal::Signal;
@@ -11,8 +10,7 @@ use std::time::Instant;
 /// One clock's values of the input ports, in their order.
 pub type Inputs = Vec<i64>;
 
-/// A golden model: inputs before the edge, outputs after it. An output is `None` where nothing is stated (before the
-/// first start, in an invalid clock).
+/// A golden model: inputs before the edge, outputs after it, `None` where nothing is stated, as in an invalid clock.
 pub type Golden = Box<dyn FnMut(&[i64]) -> Vec<Option<i64>> + Send>;
 
 /// Runs of a design side by side, at the price of one: each has its lane, and inputs and outputs of its own.
@@ -68,8 +66,7 @@ impl Subject {
         outcomes.pop().expect("of the one stimulus")
     }
 
-    /// The same over several stimuli, each of which begins from reset; those that the engine has lanes for run side by
-    /// side.
+    /// The same over several stimuli, each from reset; those that the engine has lanes for run side by side.
     pub fn run_all<S: AsRef<[Inputs]> + Sync>(&self, stimuli: &[S], record: bool) -> Vec<Outcome> {
         let groups = stimuli.par_chunks(self.lanes);
         let outcomes = groups.flat_map_iter(|group| self.run_group(group, record));
@@ -88,7 +85,13 @@ impl Subject {
         let each = stimuli.iter().map(|stimulus| stimulus.as_ref().iter());
         let reports = self.compare(each.collect(), |lane, cycle, seen| {
             if let Some(trace) = &mut traces[lane] {
-                trace.clock(cycle, false, |_| vec![seen.sample()]);
+                let sample = Sample {
+                    stimulus: seen.stimulus.to_vec(),
+                    hardware: seen.hardware.to_vec(),
+                    golden: seen.golden.to_vec(),
+                    observed: vec![],
+                };
+                trace.clock(cycle, false, |_| vec![sample]);
             }
         });
         reports.into_iter().zip(traces).collect()
@@ -105,8 +108,7 @@ impl Subject {
         reports.pop().expect("of the one stimulus")
     }
 
-    /// Runs at most as many stimuli as there are lanes side by side, each with a golden model of its own; `seen` takes
-    /// the lane, the clock and what was compared.
+    /// Runs as many stimuli as there are lanes, or fewer; `seen` takes the lane, the clock and what was compared.
     fn compare<I: Iterator<Item: AsRef<[i64]>>>(
         &self,
         stimuli: Vec<I>,
@@ -114,29 +116,23 @@ impl Subject {
     ) -> Vec<Report> {
         let started = Instant::now();
         let mut hardware = (self.hardware)(stimuli.len());
-        let mut runs: Vec<Run<I>> = stimuli
-            .into_iter()
-            .map(|mut stimulus| {
-                let inputs = stimulus.next();
-                Run {
-                    is_over: inputs.is_none(),
-                    inputs,
-                    stimulus,
-                    golden: (self.golden)(),
-                    report: self.report(),
-                }
-            })
-            .collect();
+        let run = |mut stimulus: I| Run {
+            inputs: stimulus.next(),
+            stimulus,
+            golden: (self.golden)(),
+            report: self.report(),
+        };
+        let mut runs: Vec<Run<I>> = stimuli.into_iter().map(run).collect();
         let nothing = vec![0; self.inputs.len()];
         let mut found = vec![];
-        while runs.iter().any(|run| !run.is_over) {
+        while runs.iter().any(|run| run.inputs.is_some()) {
             let inputs = runs.iter().map(|run| match &run.inputs {
                 Some(inputs) => inputs.as_ref(),
                 None => &nothing,
             });
             hardware.clock(&inputs.collect::<Vec<_>>());
-            for (lane, run) in runs.iter_mut().enumerate().filter(|(_, run)| !run.is_over) {
-                let inputs = run.inputs.as_ref().expect("of a stimulus that goes on");
+            for (lane, run) in runs.iter_mut().enumerate() {
+                let Some(inputs) = &run.inputs else { continue };
                 hardware.outputs(lane, &mut found);
                 let clock = Seen {
                     stimulus: inputs.as_ref(),
@@ -146,10 +142,7 @@ impl Subject {
                 seen(lane, run.report.cycles, clock);
                 self.score(&clock, &mut run.report);
                 run.report.cycles += 1;
-                match run.stimulus.next() {
-                    None => run.is_over = true,
-                    inputs => run.inputs = inputs,
-                }
+                run.inputs = run.stimulus.next();
             }
         }
         let seconds = started.elapsed().as_secs_f64();
@@ -182,11 +175,10 @@ impl Subject {
     }
 }
 
-/// A stimulus on its way through a lane; one that is over goes on with its last inputs.
+/// A stimulus on its way through a lane, and the inputs of the next clock; none when it is over.
 struct Run<I: Iterator> {
     stimulus: I,
     inputs: Option<I::Item>,
-    is_over: bool,
     golden: Golden,
     report: Report,
 }
@@ -203,15 +195,4 @@ pub struct Seen<'a> {
     pub hardware: &'a [Option<i64>],
     /// What the golden model states of them.
     pub golden: &'a [Option<i64>],
-}
-
-impl Seen<'_> {
-    fn sample(&self) -> Sample {
-        Sample {
-            stimulus: self.stimulus.to_vec(),
-            hardware: self.hardware.to_vec(),
-            golden: self.golden.to_vec(),
-            observed: vec![],
-        }
-    }
 }

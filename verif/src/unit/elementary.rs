@@ -194,27 +194,22 @@ fn pictures(subject: &Subject, clocks: usize) -> Stimuli {
     // A picture takes thirty clocks at least.
     let pictures = proptest::collection::vec((words, shape, odd), clocks / 30 + 1);
     mapped((pictures, noise), move |(pictures, noise)| {
-        let mut drawn = Drawn::default();
-        pictures.iter().for_each(|picture| drawn.picture(picture));
-        let Drawn { list, is_busy } = drawn;
-        let each = list.into_iter().zip(is_busy).zip(noise);
+        let mut drawn = Drawn(vec![]);
+        (pictures.into_iter()).for_each(|picture| drawn.picture(picture));
+        let each = drawn.0.into_iter().zip(noise);
         each.map(|((inputs, is_busy), noise)| if is_busy { noise } else { inputs })
             .collect()
     })
 }
 
-/// The clocks of pictures, and in which the processor is busy.
-#[derive(Default)]
-struct Drawn {
-    list: Vec<Inputs>,
-    is_busy: Vec<bool>,
-}
+/// The clocks of pictures, and whether the processor is busy.
+struct Drawn(Vec<(Inputs, bool)>);
 
 impl Drawn {
-    fn picture(&mut self, (words, (kind, width, height, pause), (early, turn)): &Picture) {
+    fn picture(&mut self, (words, (kind, width, height, pause), (early, turn)): Picture) {
         let kept = [3, 4, 5];
         let all = (0..WORDS).chain(kept).enumerate();
-        for (address, word) in all.cycle().skip(*turn).take(WORDS + kept.len()) {
+        for (address, word) in all.cycle().skip(turn).take(WORDS + kept.len()) {
             let mut inputs = command(port::LOAD);
             inputs[port::ADDRESS] = address as i64;
             // Second differences are even: they are twice a coefficient.
@@ -222,7 +217,7 @@ impl Drawn {
             inputs[port::DATA] = words[word] & mask;
             self.command(inputs, 1, 0);
         }
-        let fields = match *kind {
+        let fields = match kind {
             [true, first] => vec![Some(first), Some(!first)],
             [false, _] => vec![None],
         };
@@ -233,15 +228,15 @@ impl Drawn {
             };
             let mut start = command(at);
             start[port::ODD] = field.unwrap_or_default().into();
-            self.command(start, restore, *pause);
-            for _ in 0..*early {
+            self.command(start, restore, pause);
+            for _ in 0..early {
                 self.command(command(port::PIXEL), 1, 0);
             }
-            for line in 0..*height {
+            for line in 0..height {
                 let is_long = field.is_some_and(|is_odd| is_odd || line > 0);
                 let clocks = if is_long { 27 } else { 15 };
-                self.command(command(port::LINE), clocks, *pause);
-                for _ in 0..*width {
+                self.command(command(port::LINE), clocks, pause);
+                for _ in 0..width {
                     self.command(command(port::PIXEL), 1, 0);
                 }
             }
@@ -251,10 +246,9 @@ impl Drawn {
     /// A command that takes so many clocks, and clocks of rest behind it.
     fn command(&mut self, inputs: Inputs, clocks: usize, pause: usize) {
         let rest = vec![0; port::COUNT];
-        self.list.push(inputs);
-        self.list.resize(self.list.len() + clocks - 1 + pause, rest);
-        self.is_busy.push(false);
-        self.is_busy.resize(self.is_busy.len() + clocks - 1, true);
-        self.is_busy.resize(self.is_busy.len() + pause, false);
+        self.0.push((inputs, false));
+        let busy = std::iter::repeat_n((rest.clone(), true), clocks - 1);
+        self.0
+            .extend(busy.chain(std::iter::repeat_n((rest, false), pause)));
     }
 }

@@ -126,17 +126,14 @@ impl Machine {
         }
         let pixel = self.raster.clock(bit(i[0]), i[1] as u16, i[2] as u16)?;
         if pixel.start {
-            let words: Vec<_> = self.slots.iter().map(|slot| self.words(slot)).collect();
+            let words = |slot: &Slot| match held(&slot.0, &self.format, &self.kind) {
+                ProcessorWords::Quadric(words) => words,
+                other => unreachable!("{other:?} in a slot of a quadric"),
+            };
+            let words: Vec<QuadricWords> = self.slots.iter().map(words).collect();
             self.zone = Some(GoldenMachine::new(&words, &self.format, i[1] as usize));
         }
         Some(self.zone.as_mut()?.pixel(None).0)
-    }
-
-    fn words(&self, slot: &Slot) -> QuadricWords {
-        match held(&slot.0, &self.format, &self.kind) {
-            ProcessorWords::Quadric(words) => words,
-            other => unreachable!("{other:?} in a slot of a quadric"),
-        }
     }
 }
 
