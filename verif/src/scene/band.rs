@@ -1,8 +1,7 @@
 //! One band of the screen: load, scan, compare.
 
+use super::Options;
 use super::golden::{GoldenMachine, probe_values};
-use super::options::Options;
-use crate::engine::ProbeSignal;
 use crate::engine::machine::{Machine, MachineDesign};
 use crate::report::Report;
 use crate::signal::Delay;
@@ -43,8 +42,16 @@ pub(super) fn run(band: &Band, pixel_done: &impl Fn()) -> Part {
             machine.clock_with(&[0, 0, 0, 1, object as u64, word.address.into(), word.bits]);
         }
     }
-    let mut scan = Scan::new(band);
-    let [width, lines] = [band.scene.width as usize, band.lines].map(|pixels| pixels as u64);
+    let format = &band.scene.format;
+    let [width, lines] = [band.scene.width.into(), band.lines as u64];
+    let mut scan = Scan {
+        band,
+        golden: GoldenMachine::new(&band.objects, format, width as usize),
+        expected: Delay::new(band.latency - 1),
+        recorder: band.trace.map(|begin| Recorder::new(band, begin)),
+        report: Report::default(),
+        frame: Frame::background(width as usize, band.lines, format.z_max()),
+    };
     for clock in 0..band.clocks() {
         machine.clock_with(&[u64::from(clock == 0), width, lines, 0, 0, 0, 0]);
         if scan.clock(clock, &mut machine) {
@@ -65,20 +72,7 @@ struct Scan<'a> {
     frame: Frame,
 }
 
-impl<'a> Scan<'a> {
-    fn new(band: &'a Band) -> Scan<'a> {
-        let (width, format) = (band.scene.width as usize, &band.scene.format);
-        let recorder = |begin| Recorder::new(band, begin, band.machine.inside.clone());
-        Scan {
-            band,
-            golden: GoldenMachine::new(&band.objects, format, width),
-            expected: Delay::new(band.latency - 1),
-            recorder: band.trace.map(recorder),
-            report: Report::default(),
-            frame: Frame::background(width, band.lines, format.z_max()),
-        }
-    }
-
+impl Scan<'_> {
     /// Compares one clock; true if the hardware gave a pixel.
     fn clock(&mut self, clock: usize, machine: &mut Machine) -> bool {
         let Scan { band, report, .. } = self;
@@ -90,14 +84,21 @@ impl<'a> Scan<'a> {
         let index = clock.wrapping_sub(band.latency - 1);
         band.score(outputs, stated, index, report);
         if let Some(recorder) = &mut self.recorder {
-            let inside = machine.probe(recorder.object);
+            let inside = machine.probe(band.options.traced);
             let golden = recorder.align(values.map(|values| probe_values(&values)));
-            band.score_inside(recorder, clock, &inside.0, &golden, report);
+            band.score_inside(clock, &inside.0, &golden, report);
             recorder.clock(outputs, stated, inside, golden, report);
         }
         let is_pixel = outputs[0] == Some(1) && index < band.pixels();
         if is_pixel {
-            store(&mut self.frame, index, outputs, band.scene.format.z_max());
+            // An undefined word is a mismatch and is drawn as 0.
+            let [_, depth, id, number, nx, ny, nz] = outputs.map(Option::unwrap_or_default);
+            self.frame.depth[index] = depth;
+            if depth != band.scene.format.z_max() {
+                self.frame.id[index] = id as _;
+                self.frame.number[index] = number as _;
+                self.frame.normal[index] = [nx, ny, nz].map(|n| n as i16);
+            }
         }
         report.cycles += 1;
         is_pixel
@@ -147,19 +148,18 @@ impl Band<'_> {
     /// The inside of the traced processor counts like the outputs of the machine.
     fn score_inside(
         &self,
-        recorder: &Recorder,
         clock: usize,
         inside: &[i64],
         golden: &[Option<i64>],
         report: &mut Report,
     ) {
-        let cycle = report.cycles;
-        for ((probe, &hardware), golden) in recorder.signals.iter().zip(inside).zip(golden) {
+        let (cycle, signals) = (report.cycles, &self.machine.inside);
+        for ((probe, &hardware), golden) in signals.iter().zip(inside).zip(golden) {
             let Some(golden) = *golden else { continue };
             report.compare(
                 cycle,
                 Some(self.pixel(clock - probe.offset)),
-                format_args!("processor_{}.{}", recorder.object, probe.signal.name),
+                format_args!("processor_{}.{}", self.options.traced, probe.signal.name),
                 Some(hardware),
                 golden,
             );
@@ -176,29 +176,15 @@ fn output_values(stated: Option<Visible>) -> [Option<i64>; 7] {
     [1, v.depth, v.id.into(), v.number.into(), nx, ny, nz].map(Some)
 }
 
-/// Keeps a pixel; an undefined word is a mismatch and is drawn as 0.
-fn store(frame: &mut Frame, index: usize, outputs: &Outputs, z_max: i64) {
-    let [_, depth, id, number, nx, ny, nz] = outputs.map(Option::unwrap_or_default);
-    frame.depth[index] = depth;
-    if depth != z_max {
-        frame.id[index] = id as _;
-        frame.number[index] = number as _;
-        frame.normal[index] = [nx, ny, nz].map(|n| n as i16);
-    }
-}
-
-/// Keeps the waveforms: the machine's outputs and the inside of one processor, golden values delayed to the clock at
-/// which the hardware shows the same pixel.
+/// Keeps the outputs of the machine and the inside of one processor beside the golden values of the same pixel.
 struct Recorder {
     trace: Trace,
-    object: usize,
-    signals: Vec<ProbeSignal>,
     delays: Vec<Delay<Option<i64>>>,
 }
 
 impl Recorder {
     /// For a window that begins at this column and line, if there is one.
-    fn new(band: &Band, begin: Option<(usize, usize)>, signals: Vec<ProbeSignal>) -> Recorder {
+    fn new(band: &Band, begin: Option<(usize, usize)>) -> Recorder {
         let clocks = band.options.trace.as_ref().map_or(0, |trace| trace.clocks);
         let window = begin.map(|(column, line)| {
             let lines = line.saturating_sub(band.first_line);
@@ -207,27 +193,25 @@ impl Recorder {
             let from = from.min(last) as u64;
             from..from.saturating_add(clocks)
         });
-        let object = band.options.traced;
-        let mut inside = band.machine.nets.clone();
-        (inside.iter_mut()).for_each(|net| net.name = format!("inside.{}", net.name));
+        let mut nets = band.machine.nets.clone();
+        (nets.iter_mut()).for_each(|net| net.name = format!("inside.{}", net.name));
         let mut groups = vec![Group {
             name: "beam".into(),
             compared: band.machine.outputs.clone(),
-            observed: inside,
+            observed: nets,
             ..Group::default()
         }];
-        if !signals.is_empty() {
+        let inside = band.machine.inside.iter();
+        if inside.len() > 0 {
             groups.push(Group {
-                name: format!("processor_{object}"),
-                compared: signals.iter().map(|s| s.signal.clone()).collect(),
+                name: format!("processor_{}", band.options.traced),
+                compared: inside.clone().map(|probe| probe.signal.clone()).collect(),
                 ..Group::default()
             });
         }
         Recorder {
             trace: Trace::new(groups, window.unwrap_or_default()),
-            object,
-            delays: signals.iter().map(|s| Delay::new(s.offset)).collect(),
-            signals,
+            delays: inside.map(|probe| Delay::new(probe.offset)).collect(),
         }
     }
 
@@ -247,7 +231,7 @@ impl Recorder {
         golden: Vec<Option<i64>>,
         report: &Report,
     ) {
-        let has_inside = !self.signals.is_empty();
+        let has_inside = !self.delays.is_empty();
         let samples = |_| {
             let machine = Sample {
                 hardware: outputs.to_vec(),

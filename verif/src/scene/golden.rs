@@ -15,7 +15,6 @@ pub(crate) struct GoldenMachine {
 }
 
 impl GoldenMachine {
-    /// Zone start.
     pub(crate) fn new(objects: &[QuadricWords], format: &Format, width: usize) -> GoldenMachine {
         GoldenMachine {
             objects: objects.to_vec(),

@@ -1,23 +1,19 @@
 //! Co-simulation of a whole scene: a beam machine against the golden machine, every output on every clock.
 //!
-//! The screen is cut into bands, one for each thread; each band is a zone of its own with its own coefficients, as in a
-//! machine with several graphics modules (source: 2.4.4).
+//! The screen is cut into bands, one for each thread: zones, as of a machine with several graphics modules (2.4.4).
 
 mod band;
 pub(crate) mod golden;
-mod options;
 pub mod slots;
 pub mod volumes;
 pub mod zone;
-
-pub use options::{Fault, Options};
 
 use crate::engine::design::DesignError;
 use crate::engine::machine::MachineDesign;
 use crate::engine::{Engine, processor_signals};
 use crate::report::Report;
 use crate::subject::Inputs;
-use crate::waveform::{PlaceError, WindowStart};
+use crate::waveform::{PlaceError, WaveformRequest, WindowStart};
 use band::{Band, Part};
 use imogene_contract::slots::FittedSlot;
 use imogene_contract::{Request, Unit};
@@ -29,12 +25,75 @@ use imogene_golden::object::words::Words;
 use imogene_prepare::{PreparedObject, PreparedScene};
 use imogene_rtl::emit::machine::MachineRequest;
 use rayon::prelude::*;
+use std::fmt;
+use std::str::FromStr;
 use std::sync::Arc;
 use std::time::Instant;
 use thiserror::Error;
 
 /// Most objects of a beam machine.
 pub const MAX_OBJECTS: usize = 256;
+
+/// A wrong bit in one coefficient word of the hardware, to see that the co-simulation finds it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Fault {
+    /// Slot.
+    pub object: u8,
+    /// Load address.
+    pub address: u8,
+    /// Bit of the word.
+    pub bit: u8,
+}
+
+impl fmt::Display for Fault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}:{}:{}", self.object, self.address, self.bit)
+    }
+}
+
+impl FromStr for Fault {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Fault, String> {
+        let numbers: Option<Vec<u8>> = text.split(':').map(|part| part.parse().ok()).collect();
+        match numbers.as_deref() {
+            Some(&[object, address, bit]) => Ok(Fault {
+                object,
+                address,
+                bit,
+            }),
+            _ => Err("expected OBJECT:ADDRESS:BIT, three numbers below 256, such as 0:2:5".into()),
+        }
+    }
+}
+
+/// How to run.
+#[derive(Clone, Debug)]
+pub struct Options {
+    /// Rows of the root network per register stage.
+    pub rows_per_stage: usize,
+    /// Threads, each with an engine of its own.
+    pub threads: usize,
+    /// Waveforms of the band in which the window begins.
+    pub trace: Option<WaveformRequest>,
+    /// Slot whose inside they show.
+    pub traced: usize,
+    /// Fault put into the hardware.
+    pub fault: Option<Fault>,
+}
+
+impl Options {
+    /// A run without waveforms and faults.
+    pub fn plain(rows_per_stage: usize, threads: usize) -> Options {
+        Options {
+            rows_per_stage,
+            threads,
+            trace: None,
+            traced: 0,
+            fault: None,
+        }
+    }
+}
 
 /// Why a scene cannot be co-simulated.
 #[derive(Debug, Error)]
@@ -82,8 +141,7 @@ pub enum CosimError {
     OwnWords,
 }
 
-/// The slots that a scene needs, with so many rows of the root network between registers: all have the same chain, and
-/// planes that an object does not use are of kind none.
+/// The slots that a scene needs, with so many rows of the root network between registers: all of one shape.
 pub fn slots_for(scene: &PreparedScene, rows: usize) -> Result<Vec<FittedSlot>, CosimError> {
     let count = scene.objects.len();
     if !(1..=MAX_OBJECTS).contains(&count) {
@@ -148,8 +206,7 @@ pub fn run(
     let rows = options.rows_per_stage;
     let slots = slots_for(scene, rows)?;
     let planes = slots[0].planes as usize;
-    check_requests(options, scene, planes, quadric_words(scene)?[0])?;
-    check_window(options, scene)?;
+    check(options, scene, planes, quadric_words(scene)?[0])?;
     let inside = processor_signals(&scene.format, planes, rows);
     let nets = options.trace.as_ref().map_or(&[][..], |trace| &trace.nets);
     let request = MachineRequest::fitted(scene.format.widths(), rows, slots.clone());
@@ -179,7 +236,11 @@ pub fn run_on(
     let mut frame = Frame::background(scene.width as usize, 0, scene.format.z_max());
     for (part, lines, trace) in parts {
         report.absorb(part);
-        append(&mut frame, lines);
+        frame.height += lines.height;
+        frame.depth.extend(lines.depth);
+        frame.id.extend(lines.id);
+        frame.number.extend(lines.number);
+        frame.normal.extend(lines.normal);
         report.trace = report.trace.or(trace.filter(|trace| !trace.is_empty()));
     }
     report.timed(started.elapsed().as_secs_f64());
@@ -194,9 +255,8 @@ fn with_planes(words: &QuadricWords, slot: &FittedSlot) -> QuadricWords {
     words
 }
 
-/// The screen in a band for each thread, or fewer: each with a line at least, and long enough for the waveforms that
-/// are asked for. `words` are those of each slot, with as many planes as the slot has; the first pixel comes `latency`
-/// clocks after `go`.
+/// The screen in a band for each thread, or fewer: each has a line, and is long enough for the waveforms. `words` are
+/// those of each slot, with all its planes; the first pixel comes `latency` clocks after `go`.
 fn bands<'a>(
     scene: &'a PreparedScene,
     machine: &'a Arc<MachineDesign>,
@@ -226,7 +286,10 @@ fn bands<'a>(
             |(_, line): (usize, usize)| (first..first + lines).contains(&line.min(height - 1));
         begin.is_none_or(is_within).then_some(begin)
     };
-    let band = |(first, lines): (usize, usize)| {
+    let count = most.min(long).clamp(1, height);
+    let band = |k: usize| {
+        let first = k * height / count;
+        let lines = (k + 1) * height / count - first;
         let zone =
             |words: &QuadricWords| words.for_zone(0, first as i64, width as i64, lines as i64);
         Band {
@@ -240,24 +303,11 @@ fn bands<'a>(
             trace: trace(first, lines),
         }
     };
-    let parts = split(height, most.min(long)).into_iter();
-    parts.map(band).collect()
+    (0..count).map(band).collect()
 }
 
-fn check_window(options: &Options, scene: &PreparedScene) -> Result<(), CosimError> {
-    let from = options.trace.as_ref().map(|request| request.from);
-    let Some(WindowStart::At(place)) = from else {
-        return Ok(());
-    };
-    if let Some(frame) = place.frame.filter(|frame| *frame > 1) {
-        return Err(PlaceError::Frame(frame).into());
-    }
-    place.check(scene.width as usize, scene.height as usize)?;
-    Ok(())
-}
-
-/// `words` are those of any object, in a slot of so many planes.
-fn check_requests(
+/// Refuses what the machine or the picture does not have. `words` are those of any object, in a slot of so many planes.
+fn check(
     options: &Options,
     scene: &PreparedScene,
     planes: usize,
@@ -275,23 +325,11 @@ fn check_requests(
             return Err(CosimError::Fault(fault, objects, words.len()));
         }
     }
+    if let Some(WindowStart::At(place)) = options.trace.as_ref().map(|request| request.from) {
+        if let Some(frame) = place.frame.filter(|frame| *frame > 1) {
+            return Err(PlaceError::Frame(frame).into());
+        }
+        place.check(scene.width as usize, scene.height as usize)?;
+    }
     Ok(())
-}
-
-/// First line and number of lines of each band.
-fn split(height: usize, bands: usize) -> Vec<(usize, usize)> {
-    let bands = bands.clamp(1, height);
-    let part = |k: usize| {
-        let first = k * height / bands;
-        (first, (k + 1) * height / bands - first)
-    };
-    (0..bands).map(part).collect()
-}
-
-fn append(frame: &mut Frame, lines: Frame) {
-    frame.height += lines.height;
-    frame.depth.extend(lines.depth);
-    frame.id.extend(lines.id);
-    frame.number.extend(lines.number);
-    frame.normal.extend(lines.normal);
 }

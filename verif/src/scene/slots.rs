@@ -1,9 +1,7 @@
-//! Co-simulation of a scene with processors of every kind: each processor by itself on the zone of its screen box, its
-//! results through the decider's rule into a frame.
+//! Co-simulation of a scene with processors of every kind, each by itself on the zone of its screen box.
 //!
-//! The beam machine has quadric processors only. Here every slot's processor runs alone, clock by clock beside its
-//! golden model, from the words that the preparation made; what all of them draw together is compared with the frame of
-//! the golden machine.
+//! A beam machine has quadric processors only. Here the processor of each slot runs beside its golden model, from the
+//! words of the preparation; what they draw together is compared with the frame of the golden machine.
 
 use super::CosimError;
 use super::zone::Zone;
@@ -12,7 +10,6 @@ use crate::report::{Report, place};
 use crate::subject::{Inputs, Subject};
 use crate::unit::words::processor;
 use imogene_golden::format::Format;
-use imogene_golden::machine::beam::render;
 use imogene_golden::machine::frame::Frame;
 use imogene_golden::object::slot::{ProcessorWords, Slot};
 use imogene_golden::object::words::Words;
@@ -22,13 +19,8 @@ use std::time::Instant;
 /// A slot that is on the screen and has hardware.
 type Job<'a> = super::zone::Job<&'a Slot>;
 
-/// What the hardware says of a pixel.
-struct Drawn {
-    at: usize,
-    depth: i64,
-    number: u8,
-    normal: [i16; 3],
-}
+/// What the hardware says of a pixel: its place, and depth, number and normal of what is seen there.
+type Drawn = (usize, [i64; 5]);
 
 /// Runs all processors of a scene in an engine; `pixel_done` is told of pixels, from any thread.
 pub fn run(
@@ -55,10 +47,17 @@ pub fn run(
     let mut report = Report::default();
     for (job, (part, drawn)) in jobs.iter().zip(parts) {
         report.absorb(part);
-        drawn.iter().for_each(|pixel| job.decide(pixel, &mut frame));
+        for (at, [depth, number, normal @ ..]) in drawn {
+            // The decider's rule: the nearer one, at equal depth the earlier slot.
+            if depth < frame.depth[at] {
+                frame.depth[at] = depth;
+                frame.id[at] = job.of.object as i32;
+                frame.number[at] = number as u8;
+                frame.normal[at] = normal.map(|part| part as i16);
+            }
+        }
     }
-    let golden = render(&slots, &scene.format, width, scene.height as usize, || ());
-    compare_frames(&frame, &golden, &mut report);
+    compare_frames(&frame, &scene.frame(|| ()), &mut report);
     report.timed(started.elapsed().as_secs_f64());
     Ok((report, frame))
 }
@@ -94,12 +93,7 @@ impl Job<'_> {
         let see = |at: usize, hardware: &[Option<i64>]| {
             let value = |k: usize| hardware[k].unwrap_or(format.z_max());
             if value(1) < format.z_max() {
-                drawn.push(Drawn {
-                    at,
-                    depth: value(1),
-                    number: value(3) as u8,
-                    normal: [4, 5, 6].map(|k| value(k) as i16),
-                });
+                drawn.push((at, [1, 3, 4, 5, 6].map(value)));
             }
         };
         let report = self.drive(subject, self.clocks(subject.latency), width, see);
@@ -111,16 +105,6 @@ impl Job<'_> {
         let inputs = |raster: [i64; 5]| [&raster[..], &self.loaded.words].concat();
         let raster = (0..self.zone.pixels()).map(move |n| inputs(self.zone.raster(n)));
         raster.chain((0..latency).map(move |_| inputs([0; 5])))
-    }
-
-    /// The decider's rule: the nearer one, at equal depth the earlier slot.
-    fn decide(&self, pixel: &Drawn, frame: &mut Frame) {
-        if pixel.depth < frame.depth[pixel.at] {
-            frame.depth[pixel.at] = pixel.depth;
-            frame.id[pixel.at] = self.of.object as i32;
-            frame.number[pixel.at] = pixel.number;
-            frame.normal[pixel.at] = pixel.normal;
-        }
     }
 }
 

@@ -1,5 +1,4 @@
-//! Co-simulation of the shadow and light volumes of a scene: each on the zone of its screen box, on the depths that are
-//! seen, its answers into the flags of the light sources.
+//! Co-simulation of shadow and light volumes, each on its screen box: on visible depths, into flags of the sources.
 
 use super::CosimError;
 use super::zone::Zone;
@@ -31,7 +30,7 @@ pub fn run(
     let parts = Job::run_all(&jobs, rows_per_stage, engine, pixel_done, run)?;
     let mut flags = vec![ALL_SOURCES; frame.depth.len()];
     // Outside a light volume is dark, also outside its box.
-    for light in scene.volumes.iter().map(|v| &v.words) {
+    for light in scene.volume_words() {
         if light.kind == VolumeKind::Light && light.screen_box.is_empty() {
             flags.iter_mut().for_each(|f| *f = light.after(*f, false));
         }
@@ -39,7 +38,9 @@ pub fn run(
     let mut report = Report::default();
     for (job, (part, inside)) in jobs.iter().zip(parts) {
         report.absorb(part);
-        job.apply(&inside, &mut flags);
+        for (flag, is_inside) in flags.iter_mut().zip(inside) {
+            *flag = job.of.after(*flag, is_inside);
+        }
     }
     let golden = scene.light(frame, || ());
     for (at, (&found, &wanted)) in flags.iter().zip(&golden.flags).enumerate() {
@@ -56,8 +57,7 @@ pub fn pixels(scene: &PreparedScene) -> u64 {
 }
 
 fn jobs(scene: &PreparedScene) -> impl Iterator<Item = Job<'_>> {
-    scene.volumes.iter().filter_map(|prepared| {
-        let words = &prepared.words;
+    scene.volume_words().into_iter().filter_map(|words| {
         let zone = Zone::around(&words.screen_box, scene.width, scene.height)?;
         let moved = words.for_zone(zone.x, zone.y, zone.width, zone.height);
         Some(Job {
@@ -69,14 +69,10 @@ fn jobs(scene: &PreparedScene) -> impl Iterator<Item = Job<'_>> {
 }
 
 impl Job<'_> {
-    /// Asks hardware and golden model about the zone; the places that the hardware says are inside.
-    fn run(&self, subject: &Subject, frame: &Frame) -> (Report, Vec<usize>) {
-        let mut inside = Vec::new();
-        let see = |at: usize, hardware: &[Option<i64>]| {
-            if hardware[1] == Some(1) {
-                inside.push(at);
-            }
-        };
+    /// Asks hardware and golden model about the zone; whether the hardware says that a place on the screen is inside.
+    fn run(&self, subject: &Subject, frame: &Frame) -> (Report, Vec<bool>) {
+        let mut inside = vec![false; frame.depth.len()];
+        let see = |at: usize, hardware: &[Option<i64>]| inside[at] = hardware[1] == Some(1);
         let clocks = self.clocks(subject.latency, frame);
         let report = self.drive(subject, clocks, frame.width, see);
         (report, inside)
@@ -100,14 +96,5 @@ impl Job<'_> {
             let words = self.loaded.words.iter().copied();
             raster.into_iter().chain([depth]).chain(words).collect()
         })
-    }
-
-    /// Takes the source's flag away where the volume is dark.
-    fn apply(&self, inside: &[usize], flags: &mut [u16]) {
-        let mut is_inside = vec![false; flags.len()];
-        inside.iter().for_each(|&at| is_inside[at] = true);
-        for (flag, is_inside) in flags.iter_mut().zip(is_inside) {
-            *flag = self.of.after(*flag, is_inside);
-        }
     }
 }

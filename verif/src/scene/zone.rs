@@ -48,8 +48,7 @@ impl<T: Sync> Job<T> {
         Ok(jobs.par_iter().map(one).collect())
     }
 
-    /// Gives hardware and golden model these clocks; `see` takes what the hardware says of each pixel, with its place
-    /// on the screen.
+    /// Gives hardware and golden model these clocks; `see` takes each pixel of the hardware and its place.
     pub fn drive(
         &self,
         subject: &Subject,
@@ -74,9 +73,7 @@ pub(super) struct Zone {
     pub x: i64,
     /// First line.
     pub y: i64,
-    /// Columns.
     pub width: i64,
-    /// Lines.
     pub height: i64,
 }
 
@@ -96,7 +93,6 @@ impl Zone {
         })
     }
 
-    /// Pixels of the zone.
     pub fn pixels(&self) -> i64 {
         self.width * self.height
     }

@@ -3,8 +3,8 @@
 use super::{Group, Sample, Trace};
 use crate::signal::Signal;
 use fst_writer::{
-    FstBodyWriter, FstFileType, FstHeaderWriter, FstInfo, FstScopeType, FstSignalType,
-    FstVarDirection, FstVarType, FstWriteError,
+    FstFileType, FstHeaderWriter, FstInfo, FstScopeType, FstSignalType, FstVarDirection,
+    FstVarType, FstWriteError,
 };
 use imogene_files::{Outputs, WriteError};
 use std::fs::File;
@@ -33,7 +33,6 @@ enum Change<'a> {
 }
 
 impl Group {
-    /// All variables with their paths.
     fn variables(&self) -> Vec<(String, Signal)> {
         let mut list = vec![("mismatch".to_owned(), Signal::new("mismatch", 1, false))];
         for (scope, signals) in [
@@ -45,11 +44,10 @@ impl Group {
             let path = |signal: &Signal| (format!("{scope}{}", signal.name), signal.clone());
             list.extend(signals.iter().map(path));
         }
-        let within = |(path, signal)| (format!("imogene.{}.{path}", self.name), signal);
-        list.into_iter().map(within).collect()
+        (list.iter_mut()).for_each(|(path, _)| *path = format!("imogene.{}.{path}", self.name));
+        list
     }
 
-    /// Their values.
     fn values(&self, sample: &Sample) -> impl Iterator<Item = Option<i64>> {
         let differs = i64::from(sample.differs());
         let given = [differs].into_iter().chain(sample.stimulus.iter().copied());
@@ -89,8 +87,7 @@ fn range_of(signal: &Signal) -> String {
 }
 
 impl Trace {
-    /// Writes `path`, FST if its name ends in `.fst` and VCD otherwise, and the save file beside it; returns both
-    /// paths.
+    /// Writes `path`, FST if its name ends in `.fst` and VCD otherwise, and the save file beside it; returns both.
     pub fn write(&self, path: &Path) -> Result<Vec<PathBuf>, WriteError> {
         let mut files = Outputs::new();
         self.add_to(&mut files, path)?;
@@ -101,8 +98,12 @@ impl Trace {
     pub fn add_to(&self, files: &mut Outputs, path: &Path) -> Result<(), WriteError> {
         let ending = path.extension();
         if ending.is_some_and(|ending| ending.eq_ignore_ascii_case("fst")) {
-            let out = files.open(path)?;
-            self.write_fst(out).map_err(WriteError::at(path))?;
+            let written = self.write_fst(BufWriter::new(files.open(path)?));
+            let written = written.map_err(|error| match error {
+                FstWriteError::Io(error) => error,
+                other => io::Error::other(other),
+            });
+            written.map_err(WriteError::at(path))?;
         } else {
             files.add(path, |out| self.write_vcd(out))?;
         }
@@ -176,15 +177,7 @@ impl Trace {
         })
     }
 
-    fn write_fst(&self, out: File) -> io::Result<()> {
-        let written = self.fst(BufWriter::new(out));
-        written.map_err(|error| match error {
-            FstWriteError::Io(error) => error,
-            other => io::Error::other(other),
-        })
-    }
-
-    fn fst(&self, out: BufWriter<File>) -> Result<(), FstWriteError> {
+    fn write_fst(&self, out: BufWriter<File>) -> Result<(), FstWriteError> {
         let start = self.clocks.first().map_or(0, |(clock, _)| clock * PERIOD);
         let info = FstInfo {
             start_time: start,
@@ -210,18 +203,16 @@ impl Trace {
         })?;
         let mut body = header.finish()?;
         self.changes(&variables, |change| match change {
-            Change::Time(time) => next_time(&mut body, time),
+            Change::Time(time) => {
+                if body.size() > FST_BLOCK {
+                    body.flush()?;
+                }
+                body.time_change(time)
+            }
             Change::Value(number, bits) => body.signal_change(ids[number], bits),
         })?;
         Ok(body.finish()?.flush()?)
     }
-}
-
-fn next_time(body: &mut FstBodyWriter<BufWriter<File>>, time: u64) -> Result<(), FstWriteError> {
-    if body.size() > FST_BLOCK {
-        body.flush()?;
-    }
-    body.time_change(time)
 }
 
 /// The bits of a value as letters, the high one first.
@@ -285,8 +276,7 @@ impl Trace {
         text
     }
 
-    /// The zoom at which a clock has room for every digit of what changes in each: GTKWave shows 2^-zoom time units
-    /// on 200 pixels.
+    /// The zoom that gives a clock room for every digit: GTKWave shows 2^-zoom time units on 200 pixels.
     fn zoom(&self) -> f64 {
         let compared = self.groups.iter().flat_map(|group| &group.compared);
         let characters = compared.map(characters).max().unwrap_or(1);
@@ -315,8 +305,7 @@ fn characters(signal: &Signal) -> usize {
     digits + usize::from(signal.signed)
 }
 
-/// A signal of the save file under a name of its own: decimal for numbers, binary for bits. 420 is signed decimal, 24
-/// decimal, 28 binary.
+/// A signal of the save file under a name of its own: signed decimal (420), decimal (24), or binary (28) for bits.
 fn entry(scope: &str, signal: &Signal, shown: &str) -> String {
     let format = match (signal.width, signal.signed) {
         (1, _) => "@28",

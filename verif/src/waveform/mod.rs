@@ -39,8 +39,7 @@ pub struct Sample {
     pub observed: Vec<Option<i64>>,
 }
 
-/// A recorded trace: groups, and one sample per group for each recorded clock. Only the clocks of a window and those
-/// around the first mismatch are kept.
+/// Groups, and a sample of each for the clocks that are kept: those of a window, and around the first mismatch.
 #[derive(Clone, Debug, Default)]
 pub struct Trace {
     groups: Vec<Group>,
@@ -66,9 +65,8 @@ impl Trace {
         self.window = window;
     }
 
-    /// Takes a clock, whose samples, one per group in their order, are asked for as far as they can be of use: with
-    /// true if it is recorded, with false if it is kept in case a mismatch follows. `differs` is true from the first
-    /// mismatch on.
+    /// Takes a clock. Its samples, one per group, are asked for if they can be of use: with true to record them, with
+    /// false in case a mismatch follows. `differs` is true from the first mismatch on.
     pub fn clock(&mut self, clock: u64, differs: bool, samples: impl FnOnce(bool) -> Vec<Sample>) {
         if differs && self.mismatch.is_none() {
             self.mismatch = Some(clock..clock + AFTER_MISMATCH);

@@ -18,8 +18,7 @@ pub struct WaveformRequest {
 /// Where a window of waveforms begins.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum WindowStart {
-    /// Where it is of most use: at the middle line of the traced object of a scene, at the first clock of a machine
-    /// with a screen.
+    /// Where it is of most use: at the middle line of a traced object, at the first clock of a machine with a screen.
     Usual,
     /// Where this place of the picture is drawn.
     At(Place),
