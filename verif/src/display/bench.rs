@@ -42,8 +42,7 @@ pub struct Bench<'a> {
     pub overlay: Option<&'a OverlayPlane>,
 }
 
-/// A part of a line, the first one in the high bits of the word: its name, its bits that are not always zero, and where
-/// it goes and what it means.
+/// A part of a line, the first in the high bits: name, bits that are not always zero, where it goes and its meaning.
 type Field = (&'static str, usize, &'static str);
 
 /// Hexadecimal digits of a field.
@@ -107,8 +106,7 @@ impl Bench<'_> {
         // Bits of a beat's data: those of the widest word, at least the 32 of the shading processor.
         let data = format.bus().max(numerator).max(32) as usize;
         let beat = beat_fields(data);
-        let mut words = vec![self.beats(&beat), self.shading(), self.pixels()];
-        words.extend(self.overlay.map(overlay));
+        let words = self.words(&beat);
         let files = words.iter().map(|words| (words.file, words.text()));
         let mut files: Vec<_> = files.collect();
         let description = serde_json::to_string_pretty(&self.description(&words));
@@ -131,47 +129,55 @@ impl Bench<'_> {
         self.machine.output == Output::Pins
     }
 
-    fn beats<'a>(&self, fields: &'a [Field]) -> Words<'a> {
+    fn words<'a>(&self, beat: &'a [Field]) -> Vec<Words<'a>> {
         let line = |b: &Beat| {
             let (unit, address) = (b.unit.into(), b.address.into());
             vec![b.last.into(), b.kind.into(), unit, address, b.data]
         };
-        Words {
-            file: BEATS,
-            what: "beats of the host",
-            fields,
-            groups: self.groups(|frame| frame.image.beats.iter().map(line).collect()),
-        }
-    }
-
-    fn shading(&self) -> Words<'static> {
-        let of = |beat: &&Beat| beat.kind == kind::SHADING;
-        let line = |beat: &Beat| vec![beat.address.into(), beat.data];
-        Words {
-            file: SHADING,
-            what: "words of the shading processor, which are among the beats",
-            fields: &SHADING_FIELDS,
-            groups: self.groups(|frame| frame.image.beats.iter().filter(of).map(line).collect()),
-        }
-    }
-
-    fn pixels(&self) -> Words<'static> {
-        Words {
-            file: PIXELS,
-            what: "expected pixels",
-            fields: &PIXEL_FIELDS,
-            groups: self.groups(|frame| {
-                let over = self.overlay.map(|plane| plane.over(&frame.image.picture));
-                let picture = over.as_ref().unwrap_or(&frame.image.picture);
-                let colour = |colour: &[u8]| colour.iter().copied().map(u64::from).collect();
-                let Lattice { y0, dy, .. } = frame.image.pixels;
-                let lines = picture.chunks_exact(3 * mode(self.machine).line.active as usize);
-                let lines = lines.skip(y0 as usize).step_by(dy as usize);
-                lines
-                    .flat_map(|line| line.chunks_exact(3).map(colour))
-                    .collect()
-            }),
-        }
+        let is_shading = |beat: &&Beat| beat.kind == kind::SHADING;
+        let shading = |beat: &Beat| vec![beat.address.into(), beat.data];
+        let mut words = vec![
+            Words {
+                file: BEATS,
+                what: "beats of the host",
+                fields: beat,
+                groups: self.groups(|frame| frame.image.beats.iter().map(line).collect()),
+            },
+            Words {
+                file: SHADING,
+                what: "words of the shading processor, which are among the beats",
+                fields: &SHADING_FIELDS,
+                groups: self.groups(|frame| {
+                    let beats = frame.image.beats.iter();
+                    beats.filter(is_shading).map(shading).collect()
+                }),
+            },
+            Words {
+                file: PIXELS,
+                what: "expected pixels",
+                fields: &PIXEL_FIELDS,
+                groups: self.groups(|frame| {
+                    let over = self.overlay.map(|plane| plane.over(&frame.image.picture));
+                    let picture = over.as_ref().unwrap_or(&frame.image.picture);
+                    let colour = |colour: &[u8]| colour.iter().copied().map(u64::from).collect();
+                    let Lattice { y0, dy, .. } = frame.image.pixels;
+                    let lines = picture.chunks_exact(3 * mode(self.machine).line.active as usize);
+                    let lines = lines.skip(y0 as usize).step_by(dy as usize);
+                    let pixels = lines.flat_map(|line| line.chunks_exact(3));
+                    pixels.map(colour).collect()
+                }),
+            },
+        ];
+        words.extend(self.overlay.map(|plane| Words {
+            file: OVERLAY,
+            what: "words of the overlay",
+            fields: &OVERLAY_FIELDS,
+            groups: vec![(
+                "over every frame".into(),
+                plane.words.iter().map(|&word| vec![word.into()]).collect(),
+            )],
+        }));
+        words
     }
 
     fn groups(&self, lines: impl Fn(&BenchFrame) -> Vec<Vec<u64>>) -> Vec<(String, Vec<Vec<u64>>)> {
@@ -254,16 +260,6 @@ impl Bench<'_> {
             overlay_colour => colour,
         });
         text.expect("the template has these names alone") + "\n"
-    }
-}
-
-fn overlay(plane: &OverlayPlane) -> Words<'static> {
-    let lines = plane.words.iter().map(|&word| vec![word.into()]);
-    Words {
-        file: OVERLAY,
-        what: "words of the overlay",
-        fields: &OVERLAY_FIELDS,
-        groups: vec![("over every frame".into(), lines.collect())],
     }
 }
 

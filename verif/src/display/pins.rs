@@ -162,8 +162,7 @@ impl Run<'_> {
 
     /// Compares the pins; true if a frame is complete.
     fn see_pins(&mut self, hardware: &Machine) -> bool {
-        // The frames change places in the blanking of the scan; the pins are some clocks behind it and still show the
-        // last pixels.
+        // The frames change places in the blanking; the pins are some clocks behind and still show the last pixels.
         if self.frame.is_empty() {
             self.on = self.next;
         }

@@ -17,8 +17,7 @@ use std::time::Instant;
 /// How to run.
 #[derive(Clone, Copy, Debug)]
 pub struct PinsRun<'a> {
-    /// Plane that is put over the pictures, by a host that writes it while the first frame is shown; the machine has an
-    /// overlay and a screen.
+    /// Plane over the pictures, which the host writes during the first frame; the machine has an overlay and a screen.
     pub overlay: Option<&'a OverlayPlane>,
     /// Engine.
     pub engine: Engine,

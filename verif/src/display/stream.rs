@@ -11,18 +11,6 @@ use imogene_plan::description::{MachineDescription, MachineKind};
 use imogene_plan::display::Image;
 use std::time::Instant;
 
-/// What a receiver is given on a clock: the colours of so many pixels, and what it is told of them.
-fn stream(pixels: usize) -> Vec<String> {
-    let colours = match pixels {
-        1 => vec!["m_tdata".to_owned()],
-        _ => (0..pixels)
-            .map(|pixel| format!("m_tdata_{pixel}"))
-            .collect(),
-    };
-    let told = ["m_tuser", "m_tlast"].map(String::from);
-    colours.into_iter().chain(told).collect()
-}
-
 /// Sends the words of images and takes pixels until the last image was seen `frames` times. Every pixel of a frame has
 /// to come exactly once, its word has to stay while the receiver stalls, and the first and last have to say so.
 pub(super) fn run(
@@ -32,16 +20,20 @@ pub(super) fn run(
     options: &PinsRun,
     mut frame_done: impl FnMut(),
 ) -> PinsOutcome {
-    let stream = stream(machine.pixels_at_once() as usize);
-    let compared: Vec<&str> = stream.iter().map(String::as_str).collect();
+    // The colours of the pixels of a clock, and what the receiver is told of them.
+    let ports: Vec<String> = match machine.pixels_at_once() {
+        1 => vec!["m_tdata".to_owned()],
+        count => (0..count).map(|pixel| format!("m_tdata_{pixel}")).collect(),
+    };
+    let colours = ports.iter().map(String::as_str);
+    let compared: Vec<&str> = colours.chain(["m_tuser", "m_tlast"]).collect();
     let mut waves = options.waves(&hardware, &compared);
     let started = Instant::now();
     let mut host = Host::new(images, options);
     let mut receiver = Stalls::new(options.stalls.map(|seed| seed + 1));
     let mut taker = Taker::new(machine, images, &compared);
     let is_beam = machine.machine == MachineKind::Beam;
-    // A frame of a zone machine comes once for each image; a beam machine repeats its frame until the next image is
-    // there.
+    // A zone machine sends a frame once for each image; a beam machine repeats it until the next image is there.
     let wanted = if is_beam { options.frames } else { 1 };
     let limit = host.limit(mode(machine).clocks(), options.frames);
     let (mut seen_last, mut idle, mut stalled) = (0, 0, None);
@@ -51,9 +43,12 @@ pub(super) fn run(
         host.offer(&mut hardware, is_beam, &mut taker.outcome);
         let takes = !receiver.stall();
         hardware.set("m_tready", takes.into());
-        let now = hardware
-            .is_set("m_tvalid")
-            .then(|| Beat::of(&hardware, &compared));
+        let word = |port: &&str| hardware.get(port).unwrap_or(-1);
+        let now = hardware.is_set("m_tvalid").then(|| Beat {
+            colours: taker.ports.iter().map(word).collect(),
+            user: word(&"m_tuser"),
+            is_last: hardware.is_set("m_tlast"),
+        });
         let stays = stalled.is_none() || stalled == now;
         taker.check("m_tdata while the receiver stalls", hardware.clocks, stays);
         idle += 1;
@@ -74,7 +69,7 @@ pub(super) fn run(
             waves.clock(
                 &mut hardware,
                 &spot,
-                &taken.unwrap_or(vec![None; stream.len()]),
+                &taken.unwrap_or(vec![None; compared.len()]),
                 differs,
             );
         }
@@ -92,18 +87,6 @@ struct Beat {
     colours: Vec<i64>,
     user: i64,
     is_last: bool,
-}
-
-impl Beat {
-    fn of(hardware: &Machine, stream: &[&str]) -> Beat {
-        let colours = &stream[..stream.len() - 2];
-        let colours = colours.iter().map(|port| hardware.get(port).unwrap_or(-1));
-        Beat {
-            colours: colours.collect(),
-            user: hardware.get("m_tuser").unwrap_or(-1),
-            is_last: hardware.is_set("m_tlast"),
-        }
-    }
 }
 
 /// The receiver: puts the pixels of a frame together.
@@ -145,8 +128,7 @@ impl<'a> Taker<'a> {
         }
     }
 
-    /// A swap comes while the last pixels of the old frame may still wait in the queue: it is for the frame after this
-    /// one.
+    /// A swap may come while the last pixels of the old frame wait in the queue: it is for the frame after this one.
     fn see_swap(&mut self, hardware: &Machine, host: &Host) {
         if !self.is_beam || !hardware.is_set("swapped") {
             return;
@@ -161,8 +143,7 @@ impl<'a> Taker<'a> {
         }
     }
 
-    /// The place of the first pixel of a clock in the frame, row by row; one that is beyond its end is of a wrong
-    /// machine.
+    /// Where the first pixel of a clock is in the frame, row by row; a wrong machine may go beyond its end.
     fn place(&self, beat: &Beat) -> usize {
         let image = self.on.and_then(|on| self.images.get(on));
         let field = image.map_or(Lattice::zone(0, 0), |image| image.pixels);

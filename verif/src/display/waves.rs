@@ -19,10 +19,9 @@ pub(super) struct Spot {
 
 impl Spot {
     fn is_at(&self, place: &Place) -> bool {
-        let is_frame = match place.frame {
-            Some(frame) => self.frame == frame,
-            None => self.is_scene,
-        };
+        let is_frame = place
+            .frame
+            .map_or(self.is_scene, |frame| frame == self.frame);
         is_frame && self.pixel == Some((place.column, place.line))
     }
 
@@ -91,8 +90,7 @@ impl Waves {
         }
     }
 
-    /// Takes the clock that comes next: where the machine is, what the outputs that are compared should be, and whether
-    /// one has differed so far.
+    /// Takes the next clock: where the machine is, what the compared outputs should be, and whether one has differed.
     pub(super) fn clock(
         &mut self,
         hardware: &mut Machine,

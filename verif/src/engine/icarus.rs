@@ -1,5 +1,4 @@
-//! The emitted Verilog in Icarus Verilog: a process for each instance, which takes a line of inputs and gives a line of
-//! outputs every clock.
+//! The emitted Verilog in Icarus Verilog: a process for each instance, a line of inputs and of outputs every clock.
 //!
 //! It knows undefined bits, so that it shows what nothing drives or sets, where the other engines read 0.
 

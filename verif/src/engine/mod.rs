@@ -1,9 +1,7 @@
-//! Engines that run the hardware: the circuits themselves, compiled or levelised in process, and the emitted Verilog in
-//! Icarus Verilog or Verilator.
+//! Engines of the hardware: circuits compiled or levelised in process, emitted Verilog in Icarus Verilog or Verilator.
 //!
-//! A unit runs behind [`Hardware`](crate::subject::Hardware), a machine behind [`Instance`](design::Instance); both get
-//! the same stimulus and the same scoreboard in every engine. [`design`] is what the simulators of Verilog have in
-//! common.
+//! A unit runs behind [`Hardware`](crate::subject::Hardware), a machine behind [`Instance`](design::Instance);
+//! stimulus and scoreboard are the same in every engine. [`design`] is what the simulators of Verilog have in common.
 
 pub mod circuit;
 pub mod design;

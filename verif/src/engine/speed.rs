@@ -143,22 +143,17 @@ pub fn stimuli(engines: &[Entrant], drive: Drive) -> Vec<Vec<Inputs>> {
     let Some(Entrant { subject, .. }) = engines.first() else {
         return vec![];
     };
+    let random = |seed: u64| random::stimuli(subject, RANDOM_CLOCKS, seed).concat();
     match drive {
-        Drive::Frame => vec![frame_stimulus(subject)],
-        Drive::Random => random_stimuli(subject).collect(),
+        Drive::Frame => vec![frame_stimulus(subject, random(1))],
+        Drive::Random => (1..=LANES as u64).map(random).collect(),
     }
-}
-
-fn random_stimuli(subject: &Subject) -> impl Iterator<Item = Vec<Inputs>> {
-    let seeds = 1..=LANES as u64;
-    seeds.map(|seed| random::stimuli(subject, RANDOM_CLOCKS, seed).concat())
 }
 
 /// A measurement: clocks, seconds, bytes written.
 type Sample = (usize, f64, u64);
 
-/// Measures every kind of work in every engine, at most so long each; the first engine is the one that the ratios refer
-/// to.
+/// Measures every kind of work in every engine, at most so long each; ratios refer to the first engine.
 pub fn measure(
     engines: &[Entrant],
     stimuli: &[Vec<Inputs>],
@@ -201,10 +196,9 @@ fn median(samples: &[Sample]) -> f64 {
     rates[rates.len() / 2]
 }
 
-fn frame_stimulus(subject: &Subject) -> Vec<Inputs> {
-    let names: Vec<&str> = subject.inputs.iter().map(|s| s.name.as_str()).collect();
-    let random = random_stimuli(subject).next().expect("of the first lane");
-    if !names.starts_with(&["valid", "start", "line"]) {
+fn frame_stimulus(subject: &Subject, random: Vec<Inputs>) -> Vec<Inputs> {
+    let names = subject.inputs.iter().map(|port| port.name.as_str());
+    if !names.take(3).eq(["valid", "start", "line"]) {
         return random;
     }
     let width = FRAME.0;
@@ -219,10 +213,12 @@ fn frame_stimulus(subject: &Subject) -> Vec<Inputs> {
 
 impl Entrant {
     fn run(&self, work: Work, stimuli: &[&[Inputs]], most: Duration) -> Result<Sample, WriteError> {
+        // As many clocks of each stimulus as the hardware alone does in the time.
         let within = |at_most: usize| -> Vec<&[Inputs]> {
-            let clocks = self.clocks_within(stimuli, most).min(at_most);
-            let stimuli = stimuli.iter();
-            stimuli.map(|stimulus| &stimulus[..clocks]).collect()
+            let (clocks, seconds, _) = self.alone(stimuli, most / 10);
+            let clocks = clocks as f64 / seconds.max(1e-9) * most.as_secs_f64() / self.lanes as f64;
+            let clocks = (clocks as usize).clamp(1, stimuli[0].len()).min(at_most);
+            stimuli.iter().map(|stimulus| &stimulus[..clocks]).collect()
         };
         match work {
             Work::Hardware => Ok(self.alone(stimuli, most)),
@@ -253,13 +249,6 @@ impl Entrant {
             }
         }
         (clocks, started.elapsed().as_secs_f64(), 0)
-    }
-
-    /// Clocks of each stimulus that the hardware alone does in the time.
-    fn clocks_within(&self, stimuli: &[&[Inputs]], most: Duration) -> usize {
-        let (clocks, seconds, _) = self.alone(stimuli, most / 10);
-        let clocks = clocks as f64 / seconds.max(1e-9) * most.as_secs_f64() / self.lanes as f64;
-        (clocks as usize).clamp(1, stimuli[0].len())
     }
 
     fn scored(&self, stimuli: &[&[Inputs]], most: Duration) -> Sample {

@@ -6,13 +6,12 @@
 //! Verilog shows it undefined.
 
 mod build;
-mod sources;
 
 pub use build::{CACHE_VARIABLE, cache_folder};
 
 use super::design::{Design, DesignError, Instance, Source};
+use build::{CLOCK, CREATE, DESTROY};
 use libloading::Library;
-use sources::{CLOCK, CREATE, DESTROY};
 use std::ffi::c_void;
 use std::sync::Arc;
 
@@ -33,8 +32,7 @@ pub struct Model {
 }
 
 impl Model {
-    /// Compiles a design with more options of Verilator and of the C++ compiler, or takes the library that is kept from
-    /// before.
+    /// Compiles a design with more options of Verilator and of the C++ compiler, or takes the library that is kept.
     pub fn compile(source: &Source, options: [&str; 2]) -> Result<Model, DesignError> {
         let path = build::library(source, options)?;
         let load = |source| DesignError::Load {

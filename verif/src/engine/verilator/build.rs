@@ -1,8 +1,8 @@
-//! From sources to a library: Verilator, the C++ compiler, and the cache.
+//! From a design to a library: its wrapper and C interface, Verilator, the C++ compiler, and the cache.
 
-use super::sources::{CLASS, WRAPPER, sources};
 use crate::engine::design::Source;
 use imogene_tools::{COMPILER, FileError, ToolError, VERILATOR, digest, made, write};
+use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, OnceLock};
 
@@ -18,6 +18,15 @@ const VERILATOR_OPTIONS: &str = "--cc -O3 --x-assign fast -Wno-fatal -Wno-lint -
 const COMPILER_OPTIONS: &str = "-std=c++17 -O2 -fPIC -fvisibility=hidden -fno-gnu-unique -w";
 /// Verilator's run time, compiled once for all designs.
 const RUN_TIME: [&str; 2] = ["verilated", "verilated_threads"];
+
+const WRAPPER: &str = "imogene_wrapper";
+/// Class that Verilator makes of it.
+const CLASS: &str = "Vimogene";
+
+/// Symbols of the C interface, as the loader wants them.
+pub(super) const CREATE: &[u8] = b"imogene_create\0";
+pub(super) const DESTROY: &[u8] = b"imogene_destroy\0";
+pub(super) const CLOCK: &[u8] = b"imogene_clock\0";
 
 /// Versions of the programs and the folder of Verilator's run time, asked for once per process.
 struct Tools {
@@ -68,38 +77,31 @@ fn build_folder() -> Option<PathBuf> {
 
 /// The library of a design, made with more options of Verilator and of the compiler than ours unless it is kept.
 pub(super) fn library(source: &Source, [verilator, more]: [&str; 2]) -> Result<PathBuf, ToolError> {
-    let [verilog, shim] = &sources(source);
+    let verilog = format!("{}\n{}", source.text, wrapper(source));
+    let shim = shim(source.inputs.len(), source.outputs.len());
     let tools = tools()?;
-    let compiler = compiler_options(tools, more);
-    let verilator = VERILATOR_OPTIONS
-        .split(' ')
-        .chain(verilator.split_whitespace());
-    let verilator: Vec<&str> = verilator.collect();
+    let of_user = std::env::var(COMPILER_VARIABLE).unwrap_or_default();
+    let more = more.split_whitespace().chain(of_user.split_whitespace());
+    let more = COMPILER_OPTIONS.split(' ').chain(more);
+    let mut compiler: Vec<String> = more.map(String::from).collect();
+    for folder in ["include", "include/vltstd"] {
+        compiler.extend(["-I".into(), tools.root.join(folder).display().to_string()]);
+    }
+    let more = verilator.split_whitespace();
+    let verilator: Vec<&str> = VERILATOR_OPTIONS.split(' ').chain(more).collect();
     let options = format!("{}\n{}", verilator.join(" "), compiler.join(" "));
-    let name = digest([&**verilog, shim, &tools.versions, &options]);
+    let name = digest([&*verilog, &shim, &tools.versions, &options]);
     let cache = cache_folder();
     let path = cache.join(format!("{name}.so"));
     made(&path, |folder| {
         let run_time = run_time(&cache, tools, &compiler, &options)?;
-        write(&folder.join("design.v"), verilog)?;
-        write(&folder.join("shim.cpp"), shim)?;
+        write(&folder.join("design.v"), &verilog)?;
+        write(&folder.join("shim.cpp"), &shim)?;
         let placing = format!("--prefix {CLASS} --top-module {WRAPPER} --Mdir cpp design.v");
         VERILATOR.run(verilator.into_iter().chain(placing.split(' ')), folder)?;
         link(folder, &compiler, &run_time)
     })?;
     Ok(path)
-}
-
-/// The compiler's options, with more, those of the user and the folders of Verilator's run time.
-fn compiler_options(tools: &Tools, more: &str) -> Vec<String> {
-    let of_user = std::env::var(COMPILER_VARIABLE).unwrap_or_default();
-    let more = more.split_whitespace().chain(of_user.split_whitespace());
-    let all = COMPILER_OPTIONS.split(' ').chain(more);
-    let mut options: Vec<String> = all.map(String::from).collect();
-    for folder in ["include", "include/vltstd"] {
-        options.extend(["-I".into(), tools.root.join(folder).display().to_string()]);
-    }
-    options
 }
 
 /// Compiles what Verilator wrote as one file, and links it; the name of the library.
@@ -133,8 +135,7 @@ fn run_time(
     compiler: &[String],
     options: &str,
 ) -> Result<Vec<PathBuf>, ToolError> {
-    // One thread of a process compiles them, the others wait; two processes may both, and the later renaming wins with
-    // equal files.
+    // One thread of a process compiles them. Two processes may both: the later renaming wins with equal files.
     static ONE: Mutex<()> = Mutex::new(());
     let _guard = ONE.lock().unwrap_or_else(|broken| broken.into_inner());
     let name = digest([&*tools.versions, options]);
@@ -151,4 +152,64 @@ fn run_time(
         Ok(path)
     };
     RUN_TIME.into_iter().map(object).collect()
+}
+
+/// A module whose ports have numbers: a port of the design may be named like a word of C++.
+fn wrapper(source: &Source) -> String {
+    let mut ports = String::from("    input wire clock");
+    let mut connections = String::from("        .clock(clock)");
+    for (direction, prefix, signals) in [
+        ("input", "in", source.inputs),
+        ("output", "out", source.outputs),
+    ] {
+        for (index, signal) in signals.iter().enumerate() {
+            let high = signal.width - 1;
+            let _ = write!(ports, ",\n    {direction} wire [{high}:0] {prefix}{index}");
+            let _ = write!(connections, ",\n        .{}({prefix}{index})", signal.name);
+        }
+    }
+    let top = source.top;
+    format!("module {WRAPPER} (\n{ports}\n);\n    {top} unit (\n{connections}\n    );\nendmodule\n")
+}
+
+/// The C interface. One call is one clock: the inputs change after the falling edge, so that a register on the wrong
+/// edge is seen, and settle before the rising edge, which Verilator sees to; the outputs are those after it.
+fn shim(inputs: usize, outputs: usize) -> String {
+    let mut set = String::new();
+    for index in 0..inputs {
+        let _ = writeln!(set, "    m.in{index} = inputs[{index}];");
+    }
+    let mut get = String::new();
+    for index in 0..outputs {
+        let _ = writeln!(get, "    outputs[{index}] = m.out{index};");
+    }
+    format!(
+        "#include \"{CLASS}.h\"
+#include \"verilated.h\"
+#include <cstdint>
+
+double sc_time_stamp() {{ return 0; }}
+
+struct State {{
+    VerilatedContext context;
+    {CLASS} model;
+    State() : context(), model(&context) {{}}
+}};
+
+#define EXPORT extern \"C\" __attribute__((visibility(\"default\")))
+
+EXPORT void* imogene_create() {{ return new State(); }}
+
+EXPORT void imogene_destroy(void* state) {{ delete static_cast<State*>(state); }}
+
+EXPORT void imogene_clock(void* state, const uint64_t* inputs, uint64_t* outputs) {{
+    {CLASS}& m = static_cast<State*>(state)->model;
+    (void)inputs;
+    m.clock = 0;
+    m.eval();
+{set}    m.clock = 1;
+    m.eval();
+{get}}}
+"
+    )
 }
