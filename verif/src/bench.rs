@@ -31,8 +31,7 @@ fn hex(signals: &[Signal], bits: impl Fn(usize, &Signal) -> u64) -> String {
 /// `bench.v` (module `bench`) and what it reads, `stimulus.hex`, `expected.hex` (from the golden model) and `mask.hex`
 /// (which bits the golden model states).
 ///
-/// The bench prints `DONE` and the number of clocks that differ. If there are any it ends Icarus Verilog with exit code
-/// 1.
+/// The bench prints `DONE` and how many clocks differ. If any does, it ends Icarus Verilog with exit code 1.
 pub fn files(subject: &Subject, top: &str, stimulus: &[Inputs]) -> Vec<(&'static str, String)> {
     let mut golden = (subject.golden)();
     let (mut given, mut wanted, mut mask) = (String::new(), String::new(), String::new());

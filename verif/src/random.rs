@@ -58,7 +58,6 @@ fn count(clocks: usize) -> usize {
     clocks.div_ceil(STIMULUS_CLOCKS).max(1)
 }
 
-/// Some of them.
 fn made(subject: &Subject, clocks: usize, seed: u64, which: Range<usize>) -> Vec<Vec<Inputs>> {
     let length = clocks.clamp(1, STIMULUS_CLOCKS);
     let first = seed.wrapping_mul(1_000_003);
@@ -68,8 +67,7 @@ fn made(subject: &Subject, clocks: usize, seed: u64, which: Range<usize>) -> Vec
         .collect()
 }
 
-/// Runs the unit in the engine of the subject; each stimulus begins from reset. The waveforms, if wanted, are those of
-/// the first stimulus that differs, or of the first.
+/// Runs the unit, each stimulus from reset; waveforms are those of the first that differs, or of the first.
 pub fn run(subject: &Subject, clocks: usize, seed: u64, record: bool) -> Outcome {
     let mut total = subject.report();
     let mut kept: Option<(bool, Trace)> = None;

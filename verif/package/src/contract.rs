@@ -168,7 +168,6 @@ fn parameters(request: &Request) -> Vec<ParameterEntry> {
     std::iter::once(format).chain(own).collect()
 }
 
-/// The ports of a unit, and the formulas of their widths.
 fn ports(request: &Request, ports: &[Port]) -> Result<Vec<PortEntry>, RequestError> {
     // The parameters that are at most the depth word change no port.
     let at = |depth_word: u32| {

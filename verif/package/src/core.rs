@@ -13,11 +13,9 @@ const SEED: u64 = 1;
 /// A file of a package: path below its folder, with `/`, and text.
 pub type File = (String, String);
 
-/// Units at the base format with their default parameters, each in a folder of its own, and a `README.md` that lists
-/// them.
+/// Units at the base format with default parameters, each in a folder, and a `README.md` that lists them.
 ///
-/// `clocks` are those of random stimulus in the vectors of a bench; with 0 the benches and the target `sim` are left
-/// out.
+/// `clocks` are those of random stimulus in a bench; with 0 there are no benches and no target `sim`.
 pub fn package(units: &[Unit], clocks: usize) -> Result<Vec<File>, RequestError> {
     let mut files = vec![("README.md".to_owned(), readme(units, clocks))];
     for &unit in units {
@@ -48,7 +46,6 @@ pub fn core(unit: Unit, clocks: usize) -> Result<Vec<File>, RequestError> {
     Ok(files)
 }
 
-/// These files in a folder.
 fn inside<N: Display>(folder: &str, files: Vec<(N, String)>) -> Vec<File> {
     let inside = |(path, text)| (format!("{folder}/{path}"), text);
     files.into_iter().map(inside).collect()

@@ -1,5 +1,4 @@
-//! The object processors of the two source machines side by side: what each is made of here, and what the sources
-//! count.
+//! The object processors of the two source machines: what each is made of here, and what the sources count.
 
 use crate::census::{Census, census};
 use imogene_contract::{Request, RequestError, Unit};
