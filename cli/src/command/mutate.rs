@@ -28,6 +28,7 @@ pub fn run(options: &Mutate, json: bool) -> Result {
         mutants: options.netlist.unwrap_or_default() as usize,
         stimuli: options.stimuli.unwrap_or(stimuli),
         clocks: options.clocks as usize,
+        word_bits: options.word_bits,
         ..Options::default()
     };
     let mut reports = vec![];

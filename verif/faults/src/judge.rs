@@ -19,8 +19,8 @@ use imogene_hdl::Levels;
 use std::collections::{HashMap, HashSet};
 use std::sync::{Arc, OnceLock};
 
-/// Bits of words that are few enough to be tried all.
-const SHORT: [u32; 3] = [16, 20, 24];
+/// Bits of words of which all are tried, as few as decide.
+const SHORT: [u32; 4] = [16, 20, 24, 32];
 
 /// Judges the mutants of a design with controls.
 pub struct Judge {
@@ -131,9 +131,9 @@ impl Judge {
         }
     }
 
-    /// Bits of words, where the mutant can differ for words of no more bits alone: what all of these show decides. The
-    /// circuit has one input, and each result comes from one word of it.
-    pub fn short(&self, upsets: &[Upset]) -> Option<u32> {
+    /// Bits of words, no more than `most`, where the mutant can differ for words of no more bits alone: what all of
+    /// these show decides. The circuit has one input, and each result comes from one word of it.
+    pub fn short(&self, upsets: &[Upset], most: u32) -> Option<u32> {
         let [input] = self.of.begin.levels.inputs() else {
             return None;
         };
@@ -153,12 +153,23 @@ impl Judge {
         }
         let pairs = self.pairs(&bad, &gates);
         let word = self.of.begin.at(input.place);
-        SHORT.into_iter().find(|bits| {
+        SHORT.into_iter().filter(|bits| *bits <= most).find(|bits| {
             let beyond = word.iter().skip(*bits as usize);
             let is_long = beyond.fold(NO, |any, bit| gates.or(any, *bit));
             let assumed = [&self.of.assumed[..], &[is_long]].concat();
             equality(pairs.clone(), &assumed, &mut gates, CONFLICTS) == Verdict::Equivalent
         })
+    }
+
+    /// Of each mutant, does none before it come to the same, gate by gate?
+    pub fn are_distinct<'a>(&self, mutants: impl Iterator<Item = &'a [Upset]>) -> Vec<bool> {
+        let mut gates = self.of.gates.clone();
+        let mut seen = HashSet::new();
+        let is_new = mutants.map(|upsets| {
+            let end = self.of.clock.with(upsets, [], &mut gates);
+            seen.insert((end.outputs, end.registers, end.memories))
+        });
+        is_new.collect()
     }
 
     /// The circuit over its latency.

@@ -16,7 +16,7 @@ use imogene_hdl::Design;
 use rayon::prelude::*;
 use std::collections::HashSet;
 use std::ops::Range;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 use std::time::Instant;
 
 /// Sites of a group: as few as let one compilation serve thousands of mutants, so that they hardly slow it.
@@ -28,8 +28,11 @@ const FIRST: u64 = 150;
 /// Stimuli before the proofs of words that are held.
 const SECOND: u64 = 3_000;
 
-/// Words of a stimulus of all short words.
-const PIECE: usize = 1 << 16;
+/// Bits of words of which all are run before the rest of the stimuli.
+const SHORT: u32 = 24;
+
+/// Words that one instance runs on.
+const PIECE: u64 = 1 << 20;
 
 /// Stimuli between two looks at what is left.
 const BATCH: usize = 600;
@@ -96,8 +99,11 @@ pub fn run(
     let mut groups = regrouped(design, alive);
     campaign.kill(&mut groups, FIRST..SECOND.min(end), &mut report)?;
     campaign.prove(&mut groups, &known, &mut report);
-    campaign.exhaust(&mut groups, &known, &mut report);
+    campaign.exhaust(&mut groups, &known, SHORT, &mut report)?;
     campaign.kill(&mut groups, SECOND..end, &mut report)?;
+    if options.word_bits > SHORT {
+        campaign.exhaust(&mut groups, &known, options.word_bits, &mut report)?;
+    }
     for group in groups {
         for (mutant, reason) in group.mutants.iter().zip(group.reasons) {
             on_done();
@@ -121,7 +127,11 @@ impl<F: Fn() + Sync> Campaign<'_, F> {
     /// Stimuli on which the circuit as it is does what the golden model states.
     fn stimuli(&self, seeds: Range<u64>) -> Result<Vec<Vectors>, MutationError> {
         let begin = seeds.start as usize;
-        let vectors = vectors(self.subject, self.clocks, seeds);
+        self.checked(vectors(self.subject, self.clocks, seeds), begin)
+    }
+
+    /// The same of these, the first of which has a number.
+    fn checked(&self, vectors: Vec<Vectors>, begin: usize) -> Result<Vec<Vectors>, MutationError> {
         match kills(&self.bare, &[&[]], &vectors, &|| ())[..] {
             [Some((stimulus, clock))] => {
                 let (unit, stimulus) = (self.subject.name.clone(), begin + stimulus);
@@ -191,35 +201,38 @@ impl<F: Fn() + Sync> Campaign<'_, F> {
         }
     }
 
-    /// Decides what can only differ for short words, by all of these.
-    fn exhaust(&self, groups: &mut Vec<Group>, known: &Known, report: &mut MutationReport) {
+    /// Decides what can only differ for words of so many bits, by all of these.
+    fn exhaust(
+        &self,
+        groups: &mut [Group],
+        known: &Known,
+        longest: u32,
+        report: &mut MutationReport,
+    ) -> Result<(), MutationError> {
         let [input] = &self.subject.inputs[..] else {
-            return;
+            return Ok(());
         };
-        let bits = groups.par_iter_mut().flat_map_iter(|group| {
+        let latency = self.subject.latency;
+        let shown = groups.par_iter_mut().flat_map_iter(|group| {
             let judge = group.judge(known);
-            let shorts = group.mutants.iter();
-            let shorts = shorts.map(|mutant| judge.as_ref()?.short(&mutant.upsets));
-            group.shorts = shorts.collect();
-            group.shorts.clone()
+            let short = |mutant: &Mutant| judge.as_ref()?.short(&mutant.upsets, longest);
+            group.shorts = group.mutants.par_iter().map(short).collect();
+            let upsets = group.mutants.iter().map(|mutant| &mutant.upsets[..]);
+            let are_distinct = judge.map(|judge| judge.are_distinct(upsets));
+            group.words_that_show(latency, &are_distinct.unwrap_or_default())
         });
-        let Some(bits) = bits.flatten().max() else {
-            return;
-        };
-        for first in (0..1u64 << bits).step_by(PIECE) {
-            let words = first..first + PIECE as u64;
-            let last = vec![vec![0]; self.subject.latency];
-            let words = words.map(|word| vec![input.value(word)]).chain(last);
-            let stimulus: Vec<Vec<i64>> = words.collect();
-            let vectors = [Vectors::new(self.subject, &stimulus)];
-            self.kill_by(groups, &vectors, 0, report);
-        }
+        let shown: Vec<u64> = shown.collect();
+        let words = shown.into_iter().map(|word| vec![input.value(word)]);
+        let stimulus: Vec<Vec<i64>> = words.chain(vec![vec![0]; latency]).collect();
+        let vectors = self.checked(vec![Vectors::new(self.subject, &stimulus)], 0)?;
+        self.kill_by(groups, &vectors, 0, report);
         let equivalent = groups.iter_mut().map(|group| {
             let shorts = group.shorts.clone();
             group.keep(|place| shorts[place].is_none());
             shorts.len() - group.mutants.len()
         });
         self.are_equivalent(equivalent.sum(), report);
+        Ok(())
     }
 }
 
@@ -275,6 +288,65 @@ impl Group {
         let upsets = self.mutants.iter().map(|mutant| &mutant.upsets[..]);
         let upsets: Vec<&[Upset]> = upsets.collect();
         kills(&self.program, &upsets, vectors, on_kill)
+    }
+
+    /// Words among which are some that show each mutant that differs for words of few bits, if it does: all of these
+    /// are run beside the circuit as it is, of mutants that are the same one.
+    fn words_that_show(&self, latency: usize, are_distinct: &[bool]) -> Vec<u64> {
+        let mutants = self.mutants.iter().zip(&self.shorts).zip(are_distinct);
+        let mutants: Vec<(&Mutant, u32)> = mutants
+            .filter(|(_, is_distinct)| **is_distinct)
+            .filter_map(|((mutant, bits), _)| Some((mutant, (*bits)?)))
+            .collect();
+        let lanes = self.program.lanes();
+        let shown = mutants.par_chunks(lanes - 1).flat_map_iter(|mutants| {
+            let bits = mutants.iter().map(|(_, bits)| *bits).max().unwrap_or(0);
+            let found: Vec<OnceLock<u64>> = vec![OnceLock::new(); mutants.len()];
+            let pieces = (0..(1u64 << bits).div_ceil(PIECE) as u32).into_par_iter();
+            pieces.for_each(|piece| {
+                let first = u64::from(piece) * PIECE;
+                self.run_words(
+                    first..first + PIECE + latency as u64,
+                    latency,
+                    mutants,
+                    &found,
+                );
+            });
+            let found = found.into_iter().filter_map(OnceLock::into_inner);
+            found.flat_map(move |word| word.saturating_sub(2 * latency as u64)..=word)
+        });
+        shown.collect()
+    }
+
+    /// Notes of each mutant a word after which outputs are not those of the circuit as it is, which has the first lane.
+    fn run_words(
+        &self,
+        words: Range<u64>,
+        latency: usize,
+        mutants: &[(&Mutant, u32)],
+        found: &[OnceLock<u64>],
+    ) {
+        if found.iter().all(|word| word.get().is_some()) {
+            return;
+        }
+        let mut simulation = Simulation::new(&self.program);
+        for (lane, (mutant, _)) in mutants.iter().enumerate() {
+            for (register, word) in &mutant.upsets {
+                simulation.upset(lane + 1, *register, *word);
+            }
+        }
+        let lanes = simulation.lanes();
+        for (clock, word) in words.enumerate() {
+            let given = simulation.step(&[&[word as i64]]);
+            for port in given.chunks_exact(lanes) {
+                let differs = |own: &u64| clock >= latency && *own != port[0];
+                if port.iter().any(differs) {
+                    let pairs = port[1..].iter().zip(found);
+                    let shown = pairs.filter(|(own, _)| differs(own));
+                    shown.for_each(|(_, found)| _ = found.set(word));
+                }
+            }
+        }
     }
 
     /// Keeps the mutants at some places.

@@ -18,6 +18,8 @@ pub struct Options {
     pub stimuli: u64,
     /// Clocks of each.
     pub clocks: usize,
+    /// Bits of the words of which all are run in the end, for what can differ for these alone.
+    pub word_bits: u32,
     /// Seconds for one attempt to prove one mutant equivalent.
     pub proof_seconds: u32,
 }
@@ -42,6 +44,7 @@ impl Default for Options {
             seed: 1,
             stimuli: 150,
             clocks: 150,
+            word_bits: 24,
             proof_seconds: 120,
         }
     }

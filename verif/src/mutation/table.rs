@@ -39,7 +39,8 @@ which is proven in one of these ways:
 - the unit rests until its work begins and rests again after its latency, and does the same in between;
 - registers differ only in phases of the work in which nothing that counts reads them; an output that the golden model
   states beside a flag of 1 alone, such as `valid`, counts only there;
-- results of words of more than 16, 20 or 24 bits are the same, and all shorter words were run.
+- results of words of more than 16, 20 or 24 bits are the same, and all shorter words were run; with `--word-bits 32`
+  all words of 32 bits are, in the end.
 
 A mutant is *forgotten* when it changes the state at power-up and it is proven that nothing of it is left once the work
 began, or that no output that counts shows it before it is gone or while a flag is down. The score is the share of the

@@ -211,7 +211,7 @@ fn short_words_are_told_from_all_others() {
     let short = |start: &str| {
         let mut mutants = mutants.iter();
         let mutant = mutants.find(|mutant| controls.describe(mutant).starts_with(start));
-        judge.short(&mutant.expect("a mutant").upsets)
+        judge.short(&mutant.expect("a mutant").upsets, 24)
     };
     // Without the short way a short word takes the other one, to the same result.
     assert_eq!(short("is_short[0] stuck at 0"), Some(16));

@@ -131,6 +131,28 @@ fn no_mutant_of_an_arithmetic_circuit_survives() {
     }
 }
 
+/// All words of 16 bits kill what a stimulus that never changes leaves.
+#[test]
+fn all_short_words_decide() {
+    let (mut subject, design) = circuit("square_root_linear", 8);
+    let options = Options {
+        stimuli: 300,
+        ..Options::default()
+    };
+    let strong = circuit_score(&subject, &design, &options);
+    subject.stimulus = Box::new(|_, clocks| {
+        use proptest::strategy::{Just, Strategy};
+        Just(vec![vec![77]; clocks]).boxed()
+    });
+    let weak = circuit_score(&subject, &design, &options);
+    for report in [&strong, &weak] {
+        let survivors = table::survivors(std::slice::from_ref(report));
+        assert!(report.surviving.is_empty(), "{survivors}");
+    }
+    assert_eq!(weak.killed, strong.killed);
+    assert_eq!(weak.equivalent, strong.equivalent);
+}
+
 /// With one stimulus that never changes most mutants survive, and as many are equivalent as with many.
 #[test]
 fn a_weak_stimulus_leaves_mutants_of_the_circuit() {
