@@ -302,15 +302,12 @@ impl Group {
         let shown = mutants.par_chunks(lanes - 1).flat_map_iter(|mutants| {
             let bits = mutants.iter().map(|(_, bits)| *bits).max().unwrap_or(0);
             let found: Vec<OnceLock<u64>> = vec![OnceLock::new(); mutants.len()];
-            let pieces = (0..(1u64 << bits).div_ceil(PIECE) as u32).into_par_iter();
+            let words = 1u64 << bits;
+            let pieces = (0..words.div_ceil(PIECE) as u32).into_par_iter();
             pieces.for_each(|piece| {
                 let first = u64::from(piece) * PIECE;
-                self.run_words(
-                    first..first + PIECE + latency as u64,
-                    latency,
-                    mutants,
-                    &found,
-                );
+                let end = (first + PIECE).min(words) + latency as u64;
+                self.run_words(first..end, latency, mutants, &found);
             });
             let found = found.into_iter().filter_map(OnceLock::into_inner);
             found.flat_map(move |word| word.saturating_sub(2 * latency as u64)..=word)
