@@ -165,7 +165,8 @@ impl Maker {
         halves
     }
 
-    /// New edges between the middles of the sides, upright and flat, with their halves, about the mean of two estimates.
+    /// New edges between the middles of the sides, upright and flat, with their halves, about the mean of two
+    /// estimates.
     fn inner(&mut self, [w, s, n, e]: [usize; 4], deviation: f64) -> [(usize, [usize; 2]); 2] {
         let [centre, twin] = [[s, n], [w, e]].map(|ends| self.middle(ends, deviation));
         let other = self.vertices.remove(twin).value;

@@ -43,8 +43,8 @@ pub(super) fn unseen(
     }
 }
 
-/// The words of an unseen volume where objects can be seen, if it has a place there. The depth of the face that a shadow
-/// begins at is off by so many counts at most.
+/// The words of an unseen volume where objects can be seen, if it has a place there. The depth of the face that a
+/// shadow begins at is off by so many counts at most.
 pub(super) fn volume_words(
     unseen: PreparedVolume,
     place: &VolumePlace,

@@ -134,7 +134,10 @@ fn no_mutant_of_an_arithmetic_circuit_survives() {
 /// All words of 16 bits kill what a stimulus that never changes leaves.
 #[test]
 fn all_short_words_decide() {
-    let (mut subject, design) = circuit("square_root_linear", 8);
+    let request = Request::given("square_root_linear", 8, &[("corrections", Some(0))]);
+    let request = request.expect("a unit of the catalogue");
+    let mut subject = subject(&request).expect("a legal request");
+    let design = design(&request).expect("a legal request");
     let options = Options {
         stimuli: 300,
         ..Options::default()
