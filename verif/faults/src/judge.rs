@@ -19,8 +19,8 @@ use imogene_hdl::Levels;
 use std::collections::{HashMap, HashSet};
 use std::sync::{Arc, OnceLock};
 
-/// Bits of words of which all are tried, as few as decide.
-const SHORT: [u32; 4] = [16, 20, 24, 32];
+/// Bits of words that are few enough to be tried all.
+const SHORT: [u32; 3] = [16, 20, 24];
 
 /// Judges the mutants of a design with controls.
 pub struct Judge {
@@ -153,7 +153,8 @@ impl Judge {
         }
         let pairs = self.pairs(&bad, &gates);
         let word = self.of.begin.at(input.place);
-        SHORT.into_iter().filter(|bits| *bits <= most).find(|bits| {
+        let shorter = SHORT.into_iter().filter(|bits| *bits < most);
+        shorter.chain([most]).find(|bits| {
             let beyond = word.iter().skip(*bits as usize);
             let is_long = beyond.fold(NO, |any, bit| gates.or(any, *bit));
             let assumed = [&self.of.assumed[..], &[is_long]].concat();
