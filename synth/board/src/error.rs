@@ -22,6 +22,9 @@ pub enum BoardError {
     /// The design does not fit the part: the first resource that runs out, how many of how many, and what may fit.
     #[error("the design does not fit {0}: it takes {1}; {2}")]
     Excess(String, String, &'static str),
+    /// The part has enough of everything, and yet no seed finds a place for all of it.
+    #[error("the router finds no place for all cells on {0}, though there are as many; {1}")]
+    Crowded(String, &'static str),
     /// A clock is not reached, or a path between two clocks is longer than the edges it goes between.
     #[error("{0}")]
     Slow(String),

@@ -116,7 +116,11 @@ impl Part {
         match self.family {
             // Why without wide tables: docs/synthesis.md.
             Family::Ecp5 => "synth_ecp5 -nowidelut",
-            Family::Ice40 if self.has_multipliers() => "synth_ice40 -device u -dsp",
+            // Eight cells of a tile share one enable: that of a single word goes into the tables beside its bits, for
+            // nextpnr finds no place for so many enables in a part that is nearly full.
+            Family::Ice40 if self.has_multipliers() => {
+                "synth_ice40 -device u -dsp -dffe_min_ce_use 32"
+            }
             Family::Ice40 => "synth_ice40",
             // The contents of block memories and the modes of multipliers cannot be read back out of a bitstream.
             Family::Gowin => "synth_gowin -nobram -nodsp",
@@ -204,10 +208,12 @@ pub fn find_tools(board: &Board) -> Result<(), BoardError> {
     Ok(())
 }
 
+/// What may fit in the place of what does not.
+const REMEDY: &str = "a smaller machine (--machine), tables of colours in it (--lit-sphere) or plain ones (--flat) may fit";
+
 /// The part has too little of something.
 pub(crate) fn too_little(part: &Part, excess: String) -> BoardError {
-    let remedy = "a smaller machine (--machine), tables of colours in it (--lit-sphere) or plain ones (--flat) may fit";
-    BoardError::Excess(part.name(), excess, remedy)
+    BoardError::Excess(part.name(), excess, REMEDY)
 }
 
 /// What place and route made of a board.
@@ -298,7 +304,8 @@ pub fn route(board: &Board, pll: &Pll, sources: &Sources) -> Result<Built, Board
     })
 }
 
-/// Places and routes the design with the first seed that reaches every clock; the seed, or the error of the last one.
+/// Places and routes the design with the first seed that finds a place for all and reaches every clock; the seed, or
+/// the error of the last one.
 fn placed(
     part: &Part,
     pll: &Pll,
@@ -312,7 +319,7 @@ fn placed(
             .and_then(|report| cross_in_time(part, pll, &report).map(|()| report));
         match routed {
             Ok(report) => return Ok((seed, report)),
-            Err(BoardError::Slow(_)) if seeds.len() > 0 => (),
+            Err(BoardError::Slow(_) | BoardError::Crowded(..)) if seeds.len() > 0 => (),
             Err(error) => return Err(error),
         }
     }
@@ -332,8 +339,10 @@ fn placed_once(
     let Ok(text) = read(&report) else {
         let error = outcome.err();
         let error = error.unwrap_or_else(|| SynthError::tool(router.name, ""));
-        return Err(match unplaced(&error.to_string()) {
+        let said = error.to_string();
+        return Err(match unplaced(&said) {
             Some(kind) => too_little(part, format!("more cells {kind} than find a place")),
+            None if is_crowded(&said) => BoardError::Crowded(part.name(), REMEDY),
             None => error.into(),
         });
     };
@@ -354,6 +363,11 @@ pub fn unplaced(said: &str) -> Option<&str> {
     let (_, cell) = said.split_once("Unable to find legal placement for cell")?;
     let (_, kind) = cell.split_once("of type '")?;
     Some(kind.split_once('\'')?.0)
+}
+
+/// Does the router say that it finds no place for all cells together? With another seed it may.
+pub fn is_crowded(said: &str) -> bool {
+    said.contains("Unable to find legal placement for all cells")
 }
 
 /// The bitstream of a text in the folder.

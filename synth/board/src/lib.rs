@@ -31,7 +31,7 @@ mod witness;
 pub use count::count;
 pub use description::{Board, BoardMode, Clock, Family, Part, Tiles, Video};
 pub use error::BoardError;
-pub use flow::{Built, ClockReport, Routed, find_tools, route, unplaced};
+pub use flow::{Built, ClockReport, Routed, find_tools, is_crowded, route, unplaced};
 pub use page::{core_file, page};
 pub use pll::{Dividers, Pll};
 pub use screen::{Screen, ScreenError, Shown, Tick};

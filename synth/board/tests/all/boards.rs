@@ -1,7 +1,7 @@
 //! The boards, and their clocks against the tools' own: those under `IMOGENE_FULL=1` alone, with the tools of
 //! `scripts/setup --synth --boards`.
 
-use imogene_board::{Board, BoardError, Pll, unplaced};
+use imogene_board::{Board, BoardError, Pll, is_crowded, unplaced};
 use imogene_synth::tools::{NEXTPNR_ECP5, NEXTPNR_GOWIN, NEXTPNR_ICE40, Tool};
 use std::process::Command;
 
@@ -27,11 +27,14 @@ fn every_board_has_a_clock_near_to_that_of_its_first_mode() {
 }
 
 #[test]
-fn a_cell_without_a_place_is_told_by_its_kind() {
+fn a_cell_without_a_place_is_told_by_its_kind_and_a_part_that_is_full_from_it() {
     let said = "ERROR: Unable to find legal placement for cell 'core.words_0.59' of type 'RAM16SDP4' after 19901741 \
         attempts, check constraints and utilisation.";
     assert_eq!(unplaced(said), Some("RAM16SDP4"));
     assert_eq!(unplaced("ERROR: cell type 'X' is unsupported"), None);
+    let full = "ERROR: Unable to find legal placement for all cells, design is probably at utilisation limit.";
+    assert_eq!([said, full].map(is_crowded), [false, true]);
+    assert_eq!(unplaced(full), None);
 }
 
 #[test]
