@@ -41,7 +41,7 @@ impl Held {
         };
         let mut gates = Gates::new();
         let any = Begin::any(levels, &mut gates);
-        let Some(flow) = held.since_start(&gates, &any, latency) else {
+        let Some(flow) = held.since_start(&gates, &any, latency, 0) else {
             return held;
         };
         let sources = held.sources(flow.begin(latency));
@@ -65,15 +65,16 @@ impl Held {
         }
     }
 
-    /// A circuit over its latency, from the clock on with which the work begins, while inputs are held. Before it, as
-    /// long, nothing was under way.
+    /// A circuit over its latency and more clocks, from the clock on with which the work begins, while inputs are held.
+    /// Before it, as long as the latency, nothing was under way.
     pub(crate) fn since_start(
         &self,
         gates: &Gates,
         begin: &Begin,
         latency: usize,
+        more: usize,
     ) -> Option<Unrolled> {
-        let clocks = 2 * latency + 1;
+        let clocks = 2 * latency + 1 + more;
         Unrolled::new(gates, begin, clocks, |index, begin, before| {
             if index <= latency {
                 let begins = u64::from(index == latency);
@@ -82,11 +83,16 @@ impl Held {
                 }
             }
             if let Some((start, _)) = before.get(latency) {
-                for input in &self.inputs {
-                    *begin.input_mut(*input) = start.input(*input).clone();
-                }
+                self.hold(begin, start);
             }
         })
+    }
+
+    /// The inputs that are held are as another clock begins.
+    pub(crate) fn hold(&self, begin: &mut Begin, start: &Begin) {
+        for input in &self.inputs {
+            *begin.input_mut(*input) = start.input(*input).clone();
+        }
     }
 
     /// Which bit of an input each gate is, of those that are held.

@@ -4,9 +4,11 @@
 //! for every beginning that the circuit can come to, they are equal for ever. Only state that can reach an output
 //! counts. Where they differ in a circuit that keeps nothing, what comes out after the latency is compared. Where
 //! inputs are held while a circuit works that forgets all else when the work begins, the clocks of the work are
-//! compared alone. What else is tried has a file of its own: from rest to rest, and the phases of the work.
+//! compared alone. What else is tried has a file of its own: from rest to rest, the phases of the work, and differences
+//! that fade.
 
 use crate::controls::{Controls, Upset};
+use crate::fading::{self, Fading};
 use crate::flow::{State, Unrolled, keeps_nothing};
 use crate::frame::{Begin, End, Frame, Reached, constant, state_pairs, zip};
 use crate::gates::{Bit, Gates, NO};
@@ -33,11 +35,13 @@ pub struct Judge {
     fixed: Option<Frame>,
     /// A clock of the work, where inputs are held and registers hold them.
     work: Option<Frame>,
-    /// The circuit over its latency, made when it is first wanted: from any clock, from the beginning of the work, and
-    /// from rest to rest.
+    /// The circuit over its latency, made when it is first wanted: from any clock, from the beginning of the work, the
+    /// same with clocks behind it, and from rest to rest.
     flow: OnceLock<Option<Unrolled>>,
-    start: OnceLock<Option<Unrolled>>,
+    start: [OnceLock<Option<Unrolled>>; 2],
     rest: OnceLock<Option<Rest>>,
+    /// Some clocks, at any time and of the work.
+    fading: [OnceLock<Option<Fading>>; 2],
 }
 
 impl Judge {
@@ -75,8 +79,9 @@ impl Judge {
             fixed,
             work,
             rest: OnceLock::new(),
+            fading: Default::default(),
             flow: OnceLock::new(),
-            start: OnceLock::new(),
+            start: Default::default(),
         }
     }
 
@@ -102,10 +107,26 @@ impl Judge {
         let verdict = self.by_clocks(upsets, CONFLICTS);
         let phases = self.known.phases.as_ref();
         let is_same = |phases: &Phases| phases.are_same(&self.of, upsets);
-        match verdict != Verdict::Equivalent && phases.is_some_and(is_same) {
+        let is_equivalent =
+            verdict == Verdict::Equivalent || phases.is_some_and(is_same) || self.fades(upsets);
+        match is_equivalent {
             true => Verdict::Equivalent,
             false => verdict,
         }
+    }
+
+    /// Is nothing left in the end of what the mutant makes differ? Where inputs are held while the circuit works, it was
+    /// asked with these.
+    fn fades(&self, upsets: &[Upset]) -> bool {
+        if self.work.is_some() {
+            return false;
+        }
+        let make = || Fading::of(&self.of, &self.known, None);
+        let Some(fading) = self.fading[0].get_or_init(make) else {
+            return false;
+        };
+        let differing = fading.differing(&self.known, upsets);
+        differing.is_some_and(|bits| fading.is_same_at_first(&self.known, upsets, &bits))
     }
 
     /// The same without a look at the phases of the work.
@@ -193,8 +214,8 @@ impl Judge {
         equality(pairs, &zeros, &mut gates, conflicts) == Verdict::Equivalent
     }
 
-    /// Are circuit and mutant the same while the work goes on, and do they come to the same state when it begins,
-    /// whatever was before?
+    /// Are circuit and mutant the same while the work goes on, but for bits that nothing shows, and do they come to the
+    /// same state when it begins, whatever was before?
     fn is_same_at_work(&self, upsets: &[Upset]) -> bool {
         let Some(work) = &self.work else {
             return false;
@@ -203,18 +224,39 @@ impl Judge {
         let bad = work.with(upsets, [], &mut gates);
         let pairs = state_pairs(&self.of.registers, &work.end, &bad);
         let pairs = pairs.chain(zip(&work.end.outputs, &bad.outputs)).collect();
-        if equality(pairs, &self.of.assumed, &mut gates, CONFLICTS) != Verdict::Equivalent {
-            return false;
+        if equality(pairs, &self.of.assumed, &mut gates, CONFLICTS) == Verdict::Equivalent {
+            return self.begins_alike(upsets, None);
         }
-        let start = self.start.get_or_init(|| {
-            let Reached { gates, begin, .. } = &self.of;
+        let make = || Fading::of(&self.of, &self.known, Some(&self.known.held));
+        let Some(fading) = self.fading[1].get_or_init(make) else {
+            return false;
+        };
+        let differing = fading.differing(&self.known, upsets);
+        differing.is_some_and(|bits| self.begins_alike(upsets, Some((fading, &bits))))
+    }
+
+    /// Are the results of a work equal, and the state behind its latency but for bits that differed before?
+    fn begins_alike(
+        &self,
+        upsets: &[Upset],
+        faded: Option<(&Fading, &HashSet<fading::Place>)>,
+    ) -> bool {
+        let (gates, more) = match faded {
+            None => (&self.of.gates, 0),
+            Some((fading, _)) => (&fading.gates, fading::CLOCKS),
+        };
+        let start = self.start[usize::from(faded.is_some())].get_or_init(|| {
             let held = &self.known.held;
-            held.since_start(gates, begin, self.known.latency)
+            held.since_start(gates, &self.of.begin, self.known.latency, more)
         });
         let Some(start) = start else { return false };
-        let (mut gates, ends) = start.with(upsets, &[]);
-        let [good, bad] = ends.last().expect("there is a first clock");
-        let state = state_pairs(&self.of.registers, good, bad);
+        let first = faded.map(|(fading, bits)| fading.begins(start.begin(0), bits));
+        let (mut gates, ends) = start.with(upsets, &first.unwrap_or_default());
+        let none = HashSet::new();
+        let differing = faded.map_or(&none, |(_, bits)| bits);
+        let last = ends.iter().rev().take(more + 1);
+        let state = last.flat_map(|end| fading::state(&self.of.registers, end, differing));
+        let state = state.map(|(_, pair)| pair);
         let pairs = self.results(&ends).chain(state).collect();
         let zeros = start.zeros(&self.known.zeros);
         equality(pairs, &zeros, &mut gates, CONFLICTS / 10) == Verdict::Equivalent

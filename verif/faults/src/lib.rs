@@ -27,6 +27,7 @@
 mod alone;
 mod controls;
 mod facts;
+mod fading;
 mod flow;
 mod frame;
 mod gates;

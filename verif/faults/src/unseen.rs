@@ -94,7 +94,12 @@ impl Known {
     }
 
     /// The bits of the outputs, where they count.
-    fn outputs(&self, levels: &Levels, ends: [&End; 2], gates: &mut Gates) -> Vec<(Bit, Bit)> {
+    pub(crate) fn outputs(
+        &self,
+        levels: &Levels,
+        ends: [&End; 2],
+        gates: &mut Gates,
+    ) -> Vec<(Bit, Bit)> {
         let mut pairs = vec![];
         let ports = ports(levels);
         for (port, flag) in ports.iter().zip(&self.counts_with) {

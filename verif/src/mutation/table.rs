@@ -39,6 +39,8 @@ which is proven in one of these ways:
 - the unit rests until its work begins and rests again after its latency, and does the same in between;
 - registers differ only in phases of the work in which nothing that counts reads them; an output that the golden model
   states beside a flag of 1 alone, such as `valid`, counts only there;
+- some bits of registers may differ, and of 10 clocks from any state in which no others do, the last one shows nothing
+  and makes no others differ; the words of a zone may be held meanwhile;
 - results of words of more than 16, 20 or 24 bits are the same, and all shorter words were run; with `--word-bits 32`
   all words of 32 bits are, in the end.
 

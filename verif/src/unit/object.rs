@@ -85,7 +85,11 @@ pub(super) fn object_processor(request: &Request, format: Format) -> Description
         let zones = plan(subject, clocks);
         match unit {
             Unit::SphereProcessor => backs_near_the_end(subject, zones),
-            Unit::PatchProcessor | Unit::QuotientProcessor => {
+            Unit::PatchProcessor => {
+                faces_beside_planes(subject, faces_near_the_end(subject, zones))
+            }
+            Unit::QuotientProcessor => {
+                let zones = ends_near_the_far_end(subject, zones);
                 faces_beside_planes(subject, faces_near_the_end(subject, zones))
             }
             Unit::QuadricProcessor | Unit::FirstGenerationProcessor => {
@@ -162,6 +166,21 @@ fn faces_near_the_end(subject: &Subject, zones: Stimuli) -> Stimuli {
     let flat = (near_the_end(subject.outputs[1].width), any::<Drawn>());
     changed(zones, 8, flat, move |inputs, (depth, drawn)| {
         level(inputs, drawn, depth);
+    })
+}
+
+/// The same zones of a quotient, but one in eight has a flat solid without planes, from the near end to one bit away
+/// from the far end.
+fn ends_near_the_far_end(subject: &Subject, zones: Stimuli) -> Stimuli {
+    let (level, planes) = (level(subject), planes(subject));
+    let is_solid = place(subject, "is_solid").expect("a word of a quotient");
+    let width = subject.outputs[1].width;
+    let depth = (0..width - 1).prop_map(move |bit| far_end(width) - (1 << bit));
+    let flat = (depth, any::<[i64; 2]>());
+    changed(zones, 8, flat, move |inputs, (depth, drawn)| {
+        level(inputs, (false, drawn), depth);
+        inputs[is_solid] = 1;
+        planes.iter().for_each(|[kind, _]| inputs[*kind] = 0);
     })
 }
 

@@ -120,6 +120,12 @@ pub fn sequence(seed: u64, depth: u32, lights: usize, pixels: usize) -> (ShaderW
     if random.one_in(4) {
         words.size[random.below(2) as usize] = 4096;
     }
+    // As far from the middle as there is.
+    if random.one_in(12) {
+        words.size = [4096; 2];
+        words.perspective = true;
+        words.view_shift = 0;
+    }
     let far = (1i64 << (depth - 1)) - 1;
     let mut pixel = |_| {
         let mut pixel = case.pixel;
@@ -137,8 +143,21 @@ pub fn sequence(seed: u64, depth: u32, lights: usize, pixels: usize) -> (ShaderW
         match random.below(20) {
             0 | 1 => pixel.depth = far,
             2 => pixel.depth = far ^ 1 << random.below(u64::from(depth) - 1),
-            // Towards the viewer or away, so that a product has one bit.
-            3 => pixel.normal = [0, 0, [-1, 1][random.below(2) as usize] << random.below(15)],
+            // Towards the viewer or away, so that a product has one bit, or at a right angle to parallel lines.
+            3 => {
+                let z = [-1, 0, 1][random.below(3) as usize] << random.below(15);
+                let [x, y, _] = pixel.normal;
+                pixel.normal = match words.perspective {
+                    true => [0, 0, z],
+                    false => [x, y, z],
+                };
+            }
+            // In the corner of the screen, so that the sum of two products has one bit, and the length too.
+            4 => {
+                let x = -1 << random.below(16);
+                (pixel.x, pixel.y) = (0, 0);
+                pixel.normal = [x, [0, x][random.below(2) as usize], 0];
+            }
             _ => (),
         }
         pixel.material = random.below(5) as u8;

@@ -248,7 +248,8 @@ fn turned(normal: Normal, ray: Vector) -> [Bits; 3] {
         let product_y = (normal.ny * ray.y).reg();
         let product_z = (normal.nz * ray.z).reg();
     }
-    let wide = |product: Int| product.extend(product.width() + 2);
+    // A product of a and b bits is at most 2^(a + b - 2): three have one bit more.
+    let wide = |product: Int| product.extend(product.width() + 1);
     net! {
         let flat_sum = (wide(product_x) + wide(product_y)).reg();
         let deep_part = wide(product_z).reg();
@@ -292,8 +293,9 @@ fn map_cell(at: &str, facing: Facing, places: u32) -> Cell {
         let place = |name: &str, number: Int| {
             let late = number.delayed_as(&format!("{name}_late"), 8);
             let product = (late * part).reg().named(&format!("{name}_product"));
-            let middle = Int::new(1 << (COORDINATE - 1), product.width() - LENGTH);
-            let moved = product.slice(product.width() - 1, LENGTH).int() + middle;
+            // At most 2^33.
+            let middle = Int::new(1 << (COORDINATE - 1), COORDINATE + 2);
+            let moved = product.slice(2 * COORDINATE + 2, LENGTH).int() + middle;
             let moved = moved.reg().named(&format!("{name}_moved"));
             let last = Bits::new((1 << COORDINATE) - 1, COORDINATE);
             let kept = moved

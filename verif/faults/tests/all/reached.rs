@@ -3,7 +3,7 @@
 
 use super::{controls, judge, outputs, started, within};
 use imogene_faults::{Contract, Verdict};
-use imogene_hdl::{Bits, Design, Simulator, Value, module, net};
+use imogene_hdl::{Bits, Design, Simulator, Value, join, module, net};
 
 /// Counts to five and begins again; the values from six on are looked for in vain.
 fn counter() -> Design {
@@ -91,6 +91,24 @@ fn two_ways() -> Design {
                 let long_late = long.reg();
             }
             ("y", is_short_late.select(short_late, long_late))
+        });
+    })
+}
+
+/// Shows a word three clocks later, zero for the greatest one, in whose place another is kept meanwhile. What hides it
+/// stands in a long register: it is no phase.
+fn replaced() -> Design {
+    Design::of(|| {
+        module("replaced", "top", ("word", Bits::input(8)), |word| {
+            net! {
+                let is_last = word.is(255);
+                let beside = join([word.low(7), is_last]).delay(2);
+                let other = Bits::new(90, 8);
+                let kept = is_last.select(other, word).reg();
+                let late = kept.reg();
+                let shown = beside.bit(0).select(Bits::new(0, 8), late).reg();
+            }
+            (("beside", beside.high(7)), ("shown", shown))
         });
     })
 }
@@ -200,6 +218,14 @@ fn what_a_constant_hides_counts_nothing() {
     // Then the flag is no constant.
     assert!(!has(&texts, "rises[0] stuck at 1"), "{texts:?}");
     assert!(!has(&texts, "rises[0] inverted"), "{texts:?}");
+}
+
+#[test]
+fn a_difference_that_is_hidden_clocks_later_counts_nothing() {
+    let texts = equivalent(&replaced(), &Contract::default(), all);
+    assert!(has(&texts, "other[3] inverted"), "{texts:?}");
+    assert!(!has(&texts, "kept[3] inverted"), "{texts:?}");
+    assert!(!has(&texts, "is_last[0] inverted"), "{texts:?}");
 }
 
 #[test]
