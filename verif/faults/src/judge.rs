@@ -115,8 +115,8 @@ impl Judge {
         }
     }
 
-    /// Is nothing left in the end of what the mutant makes differ? Where inputs are held while the circuit works, it was
-    /// asked with these.
+    /// Is nothing left in the end of what the mutant makes differ? Where inputs are held while the circuit works, that
+    /// was asked with these.
     fn fades(&self, upsets: &[Upset]) -> bool {
         if self.work.is_some() {
             return false;
