@@ -16,8 +16,8 @@ use std::collections::HashSet;
 /// Clocks from a difference to where it is gone.
 pub(crate) const CLOCKS: usize = 10;
 
-/// Attempts, at most: each lets more bits differ.
-const ATTEMPTS: usize = 30;
+/// Attempts, at most: each follows what differs a clock further.
+const ATTEMPTS: usize = CLOCKS;
 
 /// A bit of a register.
 pub(crate) type Place = (usize, usize);
