@@ -23,7 +23,9 @@ pub enum BoardError {
     #[error("the design does not fit {0}: it takes {1}; {2}")]
     Excess(String, String, &'static str),
     /// The part has enough of everything, and yet no seed finds a place for all of it.
-    #[error("the router finds no place for all cells on {0}, though there are as many; {1}")]
+    #[error(
+        "the router finds no place for all cells together on {0}, which has enough of each kind; {1}"
+    )]
     Crowded(String, &'static str),
     /// A clock is not reached, or a path between two clocks is longer than the edges it goes between.
     #[error("{0}")]

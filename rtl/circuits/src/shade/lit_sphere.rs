@@ -293,7 +293,7 @@ fn map_cell(at: &str, facing: Facing, places: u32) -> Cell {
         let place = |name: &str, number: Int| {
             let late = number.delayed_as(&format!("{name}_late"), 8);
             let product = (late * part).reg().named(&format!("{name}_product"));
-            // At most 2^33.
+            // A component is at most the length, so the product is at most 2^33: the top bit is its sign again.
             let middle = Int::new(1 << (COORDINATE - 1), COORDINATE + 2);
             let moved = product.slice(2 * COORDINATE + 2, LENGTH).int() + middle;
             let moved = moved.reg().named(&format!("{name}_moved"));
