@@ -10,7 +10,7 @@ use crate::frame::{Begin, End, Reached, Word, free, zip};
 use crate::gates::{Bit, Gates, NO};
 use crate::held::Held;
 use crate::known::Known;
-use crate::solve::{CONFLICTS, Verdict, equality, possible};
+use crate::solve::{CONFLICTS, FEW, Verdict, equality, possible};
 use std::collections::HashSet;
 
 /// Clocks from a difference to where it is gone.
@@ -21,6 +21,15 @@ const ATTEMPTS: usize = CLOCKS;
 
 /// A bit of a register.
 pub(crate) type Place = (usize, usize);
+
+/// What a mutant makes differ, where nothing that counts shows it.
+#[derive(Default)]
+pub(crate) struct Differing {
+    /// Bits that may differ.
+    pub(crate) bits: HashSet<Place>,
+    /// Bits that are made of them, of which it is proven that they do not.
+    near: HashSet<Place>,
+}
 
 /// A circuit over some clocks, from any state that is reached.
 pub(crate) struct Fading {
@@ -63,40 +72,49 @@ impl Fading {
         })
     }
 
-    /// The bits that a mutant makes differ, if nothing that counts shows it; it has to begin so.
-    pub(crate) fn differing(&self, known: &Known, upsets: &[Upset]) -> Option<HashSet<Place>> {
-        let mut differing = HashSet::new();
+    /// What a mutant makes differ, if nothing that counts shows it; it has to begin so.
+    pub(crate) fn differing(&self, known: &Known, upsets: &[Upset]) -> Option<Differing> {
+        let mut bits = HashSet::new();
         for _ in 0..ATTEMPTS {
-            let more = self.broken(known, upsets, &differing)?;
+            let made = self.made(known, upsets, &bits)?;
+            let (more, near): (Vec<_>, Vec<_>) = made.into_iter().partition(|(_, can)| *can);
             if more.is_empty() {
-                return Some(differing);
+                let near = near.into_iter().map(|(place, _)| place).collect();
+                return Some(Differing { bits, near });
             }
-            differing.extend(more);
+            bits.extend(more.into_iter().map(|(place, _)| place));
         }
         None
     }
 
-    /// The bits besides those that may differ that the last clock can make differ; nothing if something that counts
-    /// can, or if the solver gives up.
-    fn broken(
+    /// The bits that the last clock makes of those that may differ, besides these, and whether they can; nothing if
+    /// something that counts can, or if the solver gives up.
+    fn made(
         &self,
         known: &Known,
         upsets: &[Upset],
         differing: &HashSet<Place>,
-    ) -> Option<Vec<Place>> {
+    ) -> Option<Vec<(Place, bool)>> {
         let first = self.begins(self.flow.begin(0), differing);
+        let mut equal = vec![];
         // What has to be equal is, so that only what differs is looked at.
-        let begins = |register, words: [&Word; 2]| mixed(register, words, differing);
+        let begins = |_: &mut Gates, register, words: [&Word; 2]| {
+            let own = |place: &Place| differing.contains(place);
+            if self.registers.contains(&register) {
+                let pairs = zip(words[0], words[1]).into_iter().enumerate();
+                let pairs = pairs.filter(|(bit, _)| !own(&(register, *bit)));
+                equal.extend(pairs.map(|(_, pair)| pair));
+            }
+            mixed(register, words, own)
+        };
         let (mut gates, mut ends) = self.flow.with_state(upsets, &first, begins);
         let last = ends.pop().expect("there is a first clock");
-        let mut assumed = self.assumed.clone();
         for end in &ends {
-            let own = state(&self.registers, end, differing).map(|(_, pair)| pair);
-            let shown = self.shown(known, end, &mut gates);
-            for (good, bad) in own.chain(shown).filter(|(good, bad)| good != bad) {
-                assumed.push(!gates.xor(good, bad));
-            }
+            equal.extend(self.shown(known, end, &mut gates));
         }
+        let mut assumed = self.assumed.clone();
+        let pairs = equal.into_iter().filter(|(good, bad)| good != bad);
+        assumed.extend(pairs.map(|(good, bad)| !gates.xor(good, bad)));
         let shown = self.shown(known, &last, &mut gates);
         let shown = shown.into_iter().map(|pair| (None, pair));
         let state = state(&self.registers, &last, differing);
@@ -106,8 +124,9 @@ impl Fading {
         let goals = goals.filter(|(_, differs)| *differs != NO);
         let (places, differ): (Vec<Option<Place>>, Vec<Bit>) = goals.unzip();
         let can = possible(&gates, &differ, &assumed)?;
-        let broken = places.into_iter().zip(can).filter(|(_, can)| *can);
-        broken.map(|(place, _)| place).collect()
+        let made = places.into_iter().zip(can);
+        let made = made.filter(|(place, can)| place.is_some() || *can);
+        made.map(|(place, can)| Some((place?, can))).collect()
     }
 
     /// The words that differ with which the mutant begins a clock, and their places.
@@ -116,7 +135,8 @@ impl Fading {
         let words = registers.into_iter().map(|register| {
             let words = [begin.register(register), &self.others[register]];
             let place = begin.levels.flops[register].output;
-            (place, mixed(register, words, differing))
+            let word = mixed(register, words, |place| differing.contains(place));
+            (place, word)
         });
         words.collect()
     }
@@ -130,34 +150,66 @@ impl Fading {
         pairs
     }
 
-    /// From power-up on, is all equal in the first clocks but what may differ?
-    pub(crate) fn is_same_at_first(
+    /// From power-up on, is all equal but what may differ, in the first clocks or once the latency passed, and is
+    /// nothing shown before?
+    pub(crate) fn begins_alike(&self, known: &Known, upsets: &[Upset], found: &Differing) -> bool {
+        let mut before = [0, known.latency].into_iter();
+        before.any(|clocks| {
+            let is_same = self.is_same_behind(clocks, known, upsets, found);
+            is_same == Some(true)
+        })
+    }
+
+    /// The same where all is equal from so many clocks behind power-up on; nothing if they are too many.
+    fn is_same_behind(
         &self,
+        clocks: usize,
         known: &Known,
         upsets: &[Upset],
-        differing: &HashSet<Place>,
-    ) -> bool {
+        found: &Differing,
+    ) -> Option<bool> {
         let mut gates = Gates::new();
         let power_up = Begin::at_power_up(&self.flow.begin(0).levels, &mut gates);
-        let Some(first) = Unrolled::new(&gates, &power_up, CLOCKS - 1, |_, _, _| ()) else {
-            return false;
+        let first = Unrolled::new(&gates, &power_up, clocks + CLOCKS, |_, _, _| ())?;
+        let zeros = first.zeros(&known.zeros);
+        let begins = |gates: &mut Gates, register, words: [&Word; 2]| {
+            found.settled(gates, register, words, &zeros)
         };
-        let (mut gates, ends) = first.with(upsets, &[]);
-        let mut pairs = vec![];
+        let (mut gates, ends) = first.with_state(upsets, &[], begins);
+        let last = ends.iter().skip(clocks);
+        let state = last.flat_map(|end| state(&self.registers, end, &found.bits));
+        let mut pairs: Vec<(Bit, Bit)> = state.map(|(_, pair)| pair).collect();
         for end in &ends {
-            pairs.extend(state(&self.registers, end, differing).map(|(_, pair)| pair));
             pairs.extend(self.shown(known, end, &mut gates));
         }
-        let zeros = first.zeros(&known.zeros);
-        equality(pairs, &zeros, &mut gates, CONFLICTS) == Verdict::Equivalent
+        Some(equality(pairs, &zeros, &mut gates, CONFLICTS) == Verdict::Equivalent)
     }
 }
 
-/// What a register holds in the mutant: the first word, but for bits that may differ.
-fn mixed(register: usize, [good, bad]: [&Word; 2], differing: &HashSet<Place>) -> Word {
+impl Differing {
+    /// What a register of the mutant begins a clock with: its own word, but for bits of the circuit where they are made
+    /// of others that differ and are proven to be equal.
+    pub(crate) fn settled(
+        &self,
+        gates: &mut Gates,
+        register: usize,
+        words: [&Word; 2],
+        assumed: &[Bit],
+    ) -> Word {
+        let pairs = zip(words[0], words[1]).into_iter().enumerate();
+        let near = pairs.filter(|(bit, _)| self.near.contains(&(register, *bit)));
+        let near = near.map(|(_, pair)| pair).collect();
+        match equality(near, assumed, gates, FEW) {
+            Verdict::Equivalent => mixed(register, words, |place| !self.near.contains(place)),
+            _ => words[1].clone(),
+        }
+    }
+}
+
+/// What a register holds in the mutant: the first word, but for its own bits.
+fn mixed(register: usize, [good, bad]: [&Word; 2], is_own: impl Fn(&Place) -> bool) -> Word {
     let bits = zip(good, bad).into_iter().enumerate();
-    let own = |place| differing.contains(&(register, place));
-    bits.map(|(place, (good, bad))| if own(place) { bad } else { good })
+    bits.map(|(place, (good, bad))| [good, bad][usize::from(is_own(&(register, place)))])
         .collect()
 }
 

@@ -125,28 +125,34 @@ impl Unrolled {
     /// What the mutant that upsets make comes to in each clock, beside the circuit, and all gates; it begins with other
     /// words at some places.
     pub(crate) fn with(&self, upsets: &[Upset], first: &[(u32, Word)]) -> (Gates, Vec<[End; 2]>) {
-        self.with_state(upsets, first, |_, [_, bad]| bad.clone())
+        self.with_state(upsets, first, |_, _, [_, bad]| bad.clone())
     }
 
-    /// The same, where each next clock begins with other words: `begins` gives that of a register by what circuit and
-    /// mutant hold in it after the clock before.
+    /// The same, where each next clock begins with other words, to which the mutant came then: `begins` gives that of a
+    /// register by what circuit and mutant hold in it after the clock before.
     pub(crate) fn with_state(
         &self,
         upsets: &[Upset],
         first: &[(u32, Word)],
-        begins: impl Fn(usize, [&Word; 2]) -> Word,
+        mut begins: impl FnMut(&mut Gates, usize, [&Word; 2]) -> Word,
     ) -> (Gates, Vec<[End; 2]>) {
         let mut gates = self.gates.clone();
         let mut ends: Vec<[End; 2]> = vec![];
         for (begin, clock) in &self.clocks {
-            let first = first.iter().filter(|_| ends.is_empty()).cloned();
-            let flops = begin.levels.flops.iter().enumerate();
-            let state = flops.filter_map(|(index, flop)| {
-                let words = ends.last()?.each_ref().map(|end| &end.registers[index]);
-                Some((flop.output, begins(index, words)))
-            });
-            let others = state.filter(|(place, word)| begin.at(*place) != word);
-            let end = clock.with(upsets, others.chain(first), &mut gates);
+            let mut others = vec![];
+            match ends.last_mut() {
+                None => others.extend(first.iter().cloned()),
+                Some([good, bad]) => {
+                    let words = good.registers.iter().zip(&mut bad.registers).enumerate();
+                    for ((index, (good, bad)), flop) in words.zip(&begin.levels.flops) {
+                        *bad = begins(&mut gates, index, [good, bad]);
+                        if bad != begin.at(flop.output) {
+                            others.push((flop.output, bad.clone()));
+                        }
+                    }
+                }
+            }
+            let end = clock.with(upsets, others, &mut gates);
             ends.push([clock.end.clone(), end]);
         }
         (gates, ends)

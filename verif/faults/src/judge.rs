@@ -8,15 +8,15 @@
 //! that fade.
 
 use crate::controls::{Controls, Upset};
-use crate::fading::{self, Fading};
+use crate::fading::{self, Differing, Fading};
 use crate::flow::{State, Unrolled, keeps_nothing};
-use crate::frame::{Begin, End, Frame, Reached, constant, state_pairs, zip};
+use crate::frame::{Begin, End, Frame, Reached, Word, constant, state_pairs, zip};
 use crate::gates::{Bit, Gates, NO};
 use crate::idle::fix;
 use crate::known::Known;
 use crate::phases::Phases;
 use crate::rest::Rest;
-use crate::solve::{CONFLICTS, Verdict, equality};
+use crate::solve::{CONFLICTS, FEW, Verdict, equality};
 use imogene_hdl::Levels;
 use std::collections::{HashMap, HashSet};
 use std::sync::{Arc, OnceLock};
@@ -126,7 +126,7 @@ impl Judge {
             return false;
         };
         let differing = fading.differing(&self.known, upsets);
-        differing.is_some_and(|bits| fading.is_same_at_first(&self.known, upsets, &bits))
+        differing.is_some_and(|found| fading.begins_alike(&self.known, upsets, &found))
     }
 
     /// The same without a look at the phases of the work.
@@ -232,15 +232,11 @@ impl Judge {
             return false;
         };
         let differing = fading.differing(&self.known, upsets);
-        differing.is_some_and(|bits| self.begins_alike(upsets, Some((fading, &bits))))
+        differing.is_some_and(|found| self.begins_alike(upsets, Some((fading, &found))))
     }
 
     /// Are the results of a work equal, and the state behind its latency but for bits that differed before?
-    fn begins_alike(
-        &self,
-        upsets: &[Upset],
-        faded: Option<(&Fading, &HashSet<fading::Place>)>,
-    ) -> bool {
+    fn begins_alike(&self, upsets: &[Upset], faded: Option<(&Fading, &Differing)>) -> bool {
         let (gates, more) = match faded {
             None => (&self.of.gates, 0),
             Some((fading, _)) => (&fading.gates, fading::CLOCKS),
@@ -250,16 +246,20 @@ impl Judge {
             held.since_start(gates, &self.of.begin, self.known.latency, more)
         });
         let Some(start) = start else { return false };
-        let first = faded.map(|(fading, bits)| fading.begins(start.begin(0), bits));
-        let (mut gates, ends) = start.with(upsets, &first.unwrap_or_default());
-        let none = HashSet::new();
-        let differing = faded.map_or(&none, |(_, bits)| bits);
+        let none = Differing::default();
+        let differing = faded.map_or(&none, |(_, found)| found);
+        let first = faded.map(|(fading, found)| fading.begins(start.begin(0), &found.bits));
+        let zeros = start.zeros(&self.known.zeros);
+        let begins = |gates: &mut Gates, register, words: [&Word; 2]| {
+            differing.settled(gates, register, words, &zeros)
+        };
+        let (mut gates, ends) = start.with_state(upsets, &first.unwrap_or_default(), begins);
         let last = ends.iter().rev().take(more + 1);
-        let state = last.flat_map(|end| fading::state(&self.of.registers, end, differing));
+        let state = last.flat_map(|end| fading::state(&self.of.registers, end, &differing.bits));
         let state = state.map(|(_, pair)| pair);
         let pairs = self.results(&ends).chain(state).collect();
-        let zeros = start.zeros(&self.known.zeros);
-        equality(pairs, &zeros, &mut gates, CONFLICTS / 10) == Verdict::Equivalent
+        let conflicts = if faded.is_some() { CONFLICTS } else { FEW };
+        equality(pairs, &zeros, &mut gates, conflicts) == Verdict::Equivalent
     }
 
     /// Does the mutant do what the circuit does from rest to rest?

@@ -4,8 +4,11 @@ use crate::gates::{Bit, Gates, NO};
 use batsat::{Callbacks, ClauseKind, Lit, Solver, SolverInterface, SolverOpts, lbool};
 use std::collections::HashMap;
 
-/// Conflicts after which the solver gives up, a tenth of them where the beginning of the work is compared.
+/// Conflicts after which the solver gives up.
 pub const CONFLICTS: u64 = 10_000;
+
+/// Those where the beginning of the work is compared.
+pub(crate) const FEW: u64 = CONFLICTS / 10;
 
 /// Stops the solver: each conflict teaches it a clause.
 struct Effort {

@@ -113,7 +113,9 @@ struct Clocked {
     width: u32,
     words: [i128; WORDS],
     pe: Option<MemoryPe2>,
-    /// Did a line begin since the words were loaded? What the registers hold before is not stated.
+    /// Were words loaded since? Pixels go on as they were, until a field or a picture begins.
+    is_old: bool,
+    /// Did a line begin? What the registers hold before is not stated.
     is_known: bool,
     busy: u64,
 }
@@ -126,9 +128,7 @@ impl Clocked {
         } else {
             if bit(i[port::LOAD]) && i[port::ADDRESS] < WORDS as i64 {
                 self.words[i[port::ADDRESS] as usize] = i[port::DATA].into();
-                // What was drawn of the words before is over.
-                self.pe = None;
-                self.is_known = false;
+                self.is_old = true;
             }
             value = self.obey(i);
         }
@@ -139,14 +139,13 @@ impl Clocked {
     /// Is there a pixel, and what is stated of it?
     fn obey(&mut self, i: &[i64]) -> Option<Option<i64>> {
         if bit(i[port::FIELD]) {
-            let pe = match self.pe.take() {
-                Some(pe) if pe.memory_words() > WORDS => pe,
-                _ => MemoryPe2::interlaced(&self.polynomial(), self.width),
-            };
-            self.pe = Some(pe);
+            let is_second = |pe: &MemoryPe2| !self.is_old && pe.memory_words() > WORDS;
+            if !self.pe.as_ref().is_some_and(is_second) {
+                self.begin(MemoryPe2::interlaced);
+            }
             self.run(|pe| pe.field_start(i[port::ODD] as u32));
         } else if bit(i[port::PICTURE]) {
-            self.pe = Some(MemoryPe2::progressive(&self.polynomial(), self.width));
+            self.begin(MemoryPe2::progressive);
         } else if bit(i[port::LINE]) {
             self.run(MemoryPe2::line_start);
             self.is_known |= self.pe.is_some();
@@ -155,6 +154,12 @@ impl Clocked {
             return Some(value.filter(|_| self.is_known));
         }
         None
+    }
+
+    /// Draws the words that are loaded.
+    fn begin(&mut self, of: fn(&Quadratic, u32) -> MemoryPe2) {
+        self.pe = Some(of(&self.polynomial(), self.width));
+        (self.is_old, self.is_known) = (false, false);
     }
 
     /// Runs a command and is busy for all of its clocks but this one.
@@ -181,8 +186,8 @@ fn command(at: usize) -> Inputs {
 }
 
 /// A picture: its words; whether it has two fields, and whether the odd one is first, its columns and lines, and clocks
-/// of rest after a command that takes time; pixels between the start of a field and its first line, and by how much the
-/// order of the words is turned when they are loaded.
+/// of rest after a command that takes time; pixels between the start of a field and its first line, where they are two
+/// one beside each word too, and by how much the order of the words is turned when they are loaded.
 type Picture = (Vec<i64>, ([bool; 2], usize, usize, usize), (usize, usize));
 
 /// Loaded pictures; the raster waits for `ready`, or a clock longer. A busy processor is asked for anything.
@@ -210,6 +215,10 @@ impl Drawn {
         let kept = [3, 4, 5];
         let all = (0..WORDS).chain(kept).enumerate();
         for (address, word) in all.cycle().skip(turn).take(WORDS + kept.len()) {
+            // The line before goes on beside the new words.
+            if early > 1 {
+                self.command(command(port::PIXEL), 1, pause);
+            }
             let mut inputs = command(port::LOAD);
             inputs[port::ADDRESS] = address as i64;
             // Second differences are even: they are twice a coefficient.

@@ -158,6 +158,8 @@ pub fn sequence(seed: u64, depth: u32, lights: usize, pixels: usize) -> (ShaderW
                 (pixel.x, pixel.y) = (0, 0);
                 pixel.normal = [x, [0, x][random.below(2) as usize], 0];
             }
+            // As short as it can be.
+            5 => pixel.normal = [(); 3].map(|()| random.between(-3, 3) as i16),
             _ => (),
         }
         pixel.material = random.below(5) as u8;

@@ -113,6 +113,24 @@ fn replaced() -> Design {
     })
 }
 
+/// Shows words whose top bit is 1 in all registers but at power-up, when nothing is shown yet; counts its clocks beside
+/// that, so that something is kept.
+fn begun() -> Design {
+    Design::of(|| {
+        module("begun", "top", ("word", Bits::input(8)), |word| {
+            net! {
+                let set = (word | Bits::new(128, 8)).reg();
+                let late = set.reg();
+                let is_begun = Bits::new(1, 1).delay(2);
+                let shown = is_begun.select(late, Bits::new(90, 8)).reg();
+                let count = Bits::register(4);
+            }
+            count.load(count + Bits::new(1, 4));
+            (("shown", shown), ("count", count))
+        });
+    })
+}
+
 /// Every input of some clocks, in an order that comes through most states.
 fn inputs(design: &Design, clocks: u64) -> Vec<Vec<u64>> {
     let widths = design.top.ports_of(imogene_hdl::Direction::In);
@@ -226,6 +244,17 @@ fn a_difference_that_is_hidden_clocks_later_counts_nothing() {
     assert!(has(&texts, "other[3] inverted"), "{texts:?}");
     assert!(!has(&texts, "kept[3] inverted"), "{texts:?}");
     assert!(!has(&texts, "is_last[0] inverted"), "{texts:?}");
+}
+
+#[test]
+fn what_differs_before_anything_is_shown_counts_nothing() {
+    let texts = equivalent(&begun(), &within(3), all);
+    assert!(has(&texts, "set[7] stuck at 1"), "{texts:?}");
+    assert!(!has(&texts, "set[6] stuck at 1"), "{texts:?}");
+    assert!(!has(&texts, "is_begun[0] stuck at 1"), "{texts:?}");
+    // In the first clock it does differ.
+    let texts = equivalent(&begun(), &within(0), all);
+    assert!(!has(&texts, "set[7] stuck at 1"), "{texts:?}");
 }
 
 #[test]
