@@ -10,7 +10,7 @@ use crate::frame::{Begin, End, Reached, Word, free, zip};
 use crate::gates::{Bit, Gates, NO};
 use crate::held::Held;
 use crate::known::Known;
-use crate::solve::{CONFLICTS, FEW, Verdict, equality, possible};
+use crate::solve::{CONFLICTS, FEW, Verdict, any_differs, equality, possible};
 use std::collections::HashSet;
 
 /// Clocks from a difference to where it is gone.
@@ -116,17 +116,13 @@ impl Fading {
         let pairs = equal.into_iter().filter(|(good, bad)| good != bad);
         assumed.extend(pairs.map(|(good, bad)| !gates.xor(good, bad)));
         let shown = self.shown(known, &last, &mut gates);
-        let shown = shown.into_iter().map(|pair| (None, pair));
+        let shows = any_differs(shown, &mut gates);
         let state = state(&self.registers, &last, differing);
-        let state = state.map(|(place, pair)| (Some(place), pair));
-        let goals = shown.chain(state);
-        let goals = goals.map(|(place, (good, bad))| (place, gates.xor(good, bad)));
-        let goals = goals.filter(|(_, differs)| *differs != NO);
-        let (places, differ): (Vec<Option<Place>>, Vec<Bit>) = goals.unzip();
-        let can = possible(&gates, &differ, &assumed)?;
-        let made = places.into_iter().zip(can);
-        let made = made.filter(|(place, can)| place.is_some() || *can);
-        made.map(|(place, can)| Some((place?, can))).collect()
+        let made = state.map(|(place, (good, bad))| (place, gates.xor(good, bad)));
+        let made = made.filter(|(_, differs)| *differs != NO);
+        let (places, differ): (Vec<Place>, Vec<Bit>) = made.unzip();
+        let can = possible(&gates, shows, &differ, &assumed)?;
+        Some(places.into_iter().zip(can).collect())
     }
 
     /// The words that differ with which the mutant begins a clock, and their places.

@@ -28,13 +28,8 @@ pub(crate) struct Phases {
     counts_with: Vec<Option<usize>>,
 }
 
-/// What a clock could break.
-enum Goal {
-    /// That an output shows nothing.
-    Fixed,
-    /// That a register is alike in a phase, or in all of them.
-    Alike(usize, Option<usize>),
-}
+/// What a clock could break: that a register is alike in a phase, or in all of them.
+type Goal = (usize, Option<usize>);
 
 /// In which phases a register has to be alike; all of them where nothing is said.
 type Alike = Vec<Option<Vec<bool>>>;
@@ -97,23 +92,18 @@ impl Phases {
             if broken.is_empty() {
                 return true;
             }
-            for goal in broken {
-                match goal {
-                    Goal::Alike(register, None) => {
-                        alike[register] = Some(vec![true; self.seen.len()]);
-                    }
-                    Goal::Alike(register, Some(phase)) => {
-                        let phases = alike[register].as_mut();
-                        phases.expect("it has phases")[phase] = false;
-                    }
-                    Goal::Fixed => return false,
+            for (register, phase) in broken {
+                match (&mut alike[register], phase) {
+                    (Some(phases), Some(phase)) => phases[phase] = false,
+                    (phases, _) => *phases = Some(vec![true; self.seen.len()]),
                 }
             }
         }
         false
     }
 
-    /// What a clock may break before which all is alike that has to be; nothing if the solver gives up.
+    /// What a clock may break before which all is alike that has to be; nothing if an output may show it, or if the
+    /// solver gives up.
     fn broken(&self, of: &Reached, upsets: &[Upset], alike: &Alike) -> Option<Vec<Goal>> {
         let (levels, mut gates) = (&of.begin.levels, of.gates.clone());
         let before = |index: usize| of.begin.register(of.registers[index]);
@@ -135,24 +125,25 @@ impl Phases {
         let phases_after = self.phases(&mut gates, after);
         let any_phase = phases_before.iter().fold(NO, |any, is| gates.or(any, *is));
         assumed.push(any_phase);
-        let mut goals = self.outputs(levels, &good.outputs, &bad.outputs, &mut gates);
+        let shows = self.shows(levels, &good.outputs, &bad.outputs, &mut gates);
+        let mut goals = vec![];
         for (index, phases) in alike.iter().enumerate() {
             let bad = &bad.registers[of.registers[index]];
             let differs = differ(&mut gates, after(index), bad);
             match phases {
-                None => goals.push((Goal::Alike(index, None), differs)),
+                None => goals.push(((index, None), differs)),
                 Some(phases) => {
                     let wanted = phases.iter().enumerate().filter(|(_, is)| **is);
                     goals.extend(wanted.map(|(phase, _)| {
                         let broken = gates.and(phases_after[phase], differs);
-                        (Goal::Alike(index, Some(phase)), broken)
+                        ((index, Some(phase)), broken)
                     }));
                 }
             }
         }
         goals.retain(|(_, broken)| *broken != NO);
         let (goals, bits): (Vec<Goal>, Vec<Bit>) = goals.into_iter().unzip();
-        let can = possible(&gates, &bits, &assumed)?;
+        let can = possible(&gates, shows, &bits, &assumed)?;
         let broken = goals.into_iter().zip(can).filter(|(_, can)| *can);
         Some(broken.map(|(goal, _)| goal).collect())
     }
@@ -169,23 +160,17 @@ impl Phases {
         phases.collect()
     }
 
-    /// Each output that differs where it counts.
-    fn outputs(
-        &self,
-        levels: &Levels,
-        good: &[Bit],
-        bad: &[Bit],
-        gates: &mut Gates,
-    ) -> Vec<(Goal, Bit)> {
+    /// 1 where an output differs that counts.
+    fn shows(&self, levels: &Levels, good: &[Bit], bad: &[Bit], gates: &mut Gates) -> Bit {
         let ports = ports(levels);
-        let goals = ports.iter().enumerate().map(|(index, port)| {
+        ports.iter().enumerate().fold(NO, |any, (index, port)| {
             let [a, b] = [good, bad].map(|outputs| outputs[port.clone()].to_vec());
             let differs = differ(gates, &a, &b);
             let counts = self.counts_with.get(index).copied().flatten();
             let counts = counts.map_or(YES, |flag| good[ports[flag].start]);
-            (Goal::Fixed, gates.and(counts, differs))
-        });
-        goals.collect()
+            let shows = gates.and(counts, differs);
+            gates.or(any, shows)
+        })
     }
 }
 

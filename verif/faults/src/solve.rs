@@ -2,7 +2,6 @@
 
 use crate::gates::{Bit, Gates, NO};
 use batsat::{Callbacks, ClauseKind, Lit, Solver, SolverInterface, SolverOpts, lbool};
-use std::collections::HashMap;
 
 /// Conflicts after which the solver gives up.
 pub const CONFLICTS: u64 = 10_000;
@@ -30,7 +29,8 @@ impl Callbacks for Effort {
 struct Clauses<'a> {
     gates: &'a Gates,
     solver: Solver<Effort>,
-    known: HashMap<usize, Lit>,
+    /// The literal of each gate that was wanted.
+    known: Vec<Option<Lit>>,
 }
 
 pub(crate) enum Answer {
@@ -51,6 +51,13 @@ pub enum Verdict {
     Undecided,
 }
 
+/// 1 where the bits of some pair are not equal.
+pub(crate) fn any_differs(pairs: Vec<(Bit, Bit)>, gates: &mut Gates) -> Bit {
+    let differ = pairs.into_iter().filter(|(good, bad)| good != bad);
+    let differ: Vec<Bit> = differ.map(|(good, bad)| gates.xor(good, bad)).collect();
+    differ.into_iter().fold(NO, |any, bit| gates.or(any, bit))
+}
+
 /// Are the bits of all pairs equal?
 pub(crate) fn equality(
     pairs: Vec<(Bit, Bit)>,
@@ -58,9 +65,7 @@ pub(crate) fn equality(
     gates: &mut Gates,
     conflicts: u64,
 ) -> Verdict {
-    let differ = pairs.into_iter().filter(|(good, bad)| good != bad);
-    let differ: Vec<Bit> = differ.map(|(good, bad)| gates.xor(good, bad)).collect();
-    let any = differ.into_iter().fold(NO, |any, bit| gates.or(any, bit));
+    let any = any_differs(pairs, gates);
     match ask(gates, any, assumed, conflicts, &[]) {
         Answer::Never => Verdict::Equivalent,
         Answer::When(_) => Verdict::Differs,
@@ -95,9 +100,22 @@ pub(crate) fn ask(
     }
 }
 
-/// Can each of these bits be 1 in some case in which others are 1? Nothing if the solver gives up.
-pub(crate) fn possible(gates: &Gates, wanted: &[Bit], assumed: &[Bit]) -> Option<Vec<bool>> {
+/// Can each of these bits be 1 in some case in which others are 1? Nothing if one that is never to be 1 can be, or if the
+/// solver gives up.
+pub(crate) fn possible(
+    gates: &Gates,
+    never: Bit,
+    wanted: &[Bit],
+    assumed: &[Bit],
+) -> Option<Vec<bool>> {
     let mut clauses = Clauses::of(gates, assumed, CONFLICTS);
+    if never != NO {
+        let literal = clauses.literal(never);
+        if clauses.solver.solve_limited(&[literal]) != lbool::FALSE {
+            return None;
+        }
+        clauses.assume(!never);
+    }
     let wanted = wanted.iter().map(|bit| clauses.literal(*bit));
     let wanted: Vec<Lit> = wanted.collect();
     let mut found = vec![false; wanted.len()];
@@ -125,7 +143,7 @@ impl Clauses<'_> {
         let mut clauses = Clauses {
             gates,
             solver: Solver::new(SolverOpts::default(), Effort { left: conflicts }),
-            known: HashMap::new(),
+            known: vec![None; gates.len()],
         };
         assumed.iter().for_each(|bit| clauses.assume(*bit));
         clauses
@@ -142,15 +160,15 @@ impl Clauses<'_> {
     }
 
     fn written(&self, bit: Bit) -> Lit {
-        let literal = self.known[&bit.gate()];
+        let literal = self.known[bit.gate()].expect("it is written");
         if bit.is_inverted() { !literal } else { literal }
     }
 
     /// Writes a gate behind its operands.
     fn write(&mut self, wanted: usize) {
-        let mut open = vec![wanted];
+        let (mut open, mut clause) = (vec![wanted], vec![]);
         while let Some(&gate) = open.last() {
-            if self.known.contains_key(&gate) {
+            if self.known[gate].is_some() {
                 open.pop();
                 continue;
             }
@@ -161,16 +179,17 @@ impl Clauses<'_> {
                 }
                 continue;
             };
-            let missing = operands.map(Bit::gate).into_iter();
-            let missing = missing.filter(|gate| !self.known.contains_key(gate));
-            let missing: Vec<usize> = missing.collect();
-            if !missing.is_empty() {
-                open.extend(missing);
+            let before = open.len();
+            let operand_gates = operands.map(Bit::gate).into_iter();
+            open.extend(operand_gates.filter(|gate| self.known[*gate].is_none()));
+            if open.len() > before {
                 continue;
             }
             let [a, b] = operands.map(|bit| self.written(bit));
             let y = self.variable(gate);
-            for mut clause in [vec![!y, a], vec![!y, b], vec![y, !a, !b]] {
+            for own in [&[!y, a][..], &[!y, b], &[y, !a, !b]] {
+                clause.clear();
+                clause.extend_from_slice(own);
                 self.solver.add_clause_reuse(&mut clause);
             }
         }
@@ -178,7 +197,7 @@ impl Clauses<'_> {
 
     fn variable(&mut self, gate: usize) -> Lit {
         let literal = Lit::new(self.solver.new_var_default(), true);
-        self.known.insert(gate, literal);
+        self.known[gate] = Some(literal);
         literal
     }
 }

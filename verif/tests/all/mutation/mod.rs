@@ -161,7 +161,7 @@ fn all_short_words_decide() {
 fn a_weak_stimulus_leaves_mutants_of_the_circuit() {
     let (mut subject, design) = circuit("pe2", 8);
     let options = Options {
-        stimuli: 3000,
+        stimuli: 300,
         ..Options::default()
     };
     let strong = circuit_score(&subject, &design, &options);
