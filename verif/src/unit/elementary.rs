@@ -148,7 +148,7 @@ impl Clocked {
             self.begin(MemoryPe2::progressive);
         } else if bit(i[port::LINE]) {
             self.run(MemoryPe2::line_start);
-            self.is_known |= self.pe.is_some();
+            self.is_known = self.pe.is_some() && !self.is_old;
         } else if bit(i[port::PIXEL]) {
             let value = self.pe.as_mut().map(|pe| pe.pixel() as i64);
             return Some(value.filter(|_| self.is_known));
