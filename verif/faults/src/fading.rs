@@ -100,6 +100,7 @@ impl Fading {
         // What has to be equal is, so that only what differs is looked at.
         let begins = |_: &mut Gates, register, words: [&Word; 2]| {
             let own = |place: &Place| differing.contains(place);
+            // Controls are what makes the mutant: they are not equal.
             if self.registers.contains(&register) {
                 let pairs = zip(words[0], words[1]).into_iter().enumerate();
                 let pairs = pairs.filter(|(bit, _)| !own(&(register, *bit)));

@@ -6,7 +6,7 @@ use batsat::{Callbacks, ClauseKind, Lit, Solver, SolverInterface, SolverOpts, lb
 /// Conflicts after which the solver gives up.
 pub const CONFLICTS: u64 = 10_000;
 
-/// Those where the beginning of the work is compared.
+/// Fewer, for each of the many questions at the beginning of the work.
 pub(crate) const FEW: u64 = CONFLICTS / 10;
 
 /// Stops the solver: each conflict teaches it a clause.
