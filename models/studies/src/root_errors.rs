@@ -228,7 +228,8 @@ pub fn cost(method: Method, root_bits: u32) -> Cost {
         Method::NonRestoring => (row_cells(root_bits) + root_bits + 1, 0, 0),
         Method::Iterative => (root_bits + 2, 0, 0),
         Method::Rows { kept } => (row_cells(kept), 0, 0),
-        Method::Leading { kept } => (row_cells(kept), 0, 2),
+        // The first digit takes no row.
+        Method::Leading { kept } => (row_cells(kept) - row_cells(1), 0, 2),
         Method::Linear { corrections } => {
             let cells = root_bits + cells_of(corrections);
             (cells, products_of(corrections), 1 + corrections)

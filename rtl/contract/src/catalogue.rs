@@ -93,7 +93,7 @@ units! {
         computes "the upper digits of floor(sqrt(radicand)), the lower ones zero";
         ties "digits are those of the rounded-down root; the lower ones are cut off, never rounded up";
         error "bound: below 2^{W - D} of the last place, downwards, for every radicand: small roots are lost";
-    SquareRootLeading "square_root_leading" [DIGITS, ROWS] "ceil(D / R) + 2", EVERY_CLOCK, "Nyiri 1994, B.10";
+    SquareRootLeading "square_root_leading" [DIGITS, ROWS] "ceil((D - 1) / R) + 2", EVERY_CLOCK, "Nyiri 1994, B.10";
         computes "the leading significant digits of floor(sqrt(radicand)), the lower ones zero";
         ties "digits are those of the rounded-down root; the lower ones are cut off, never rounded up";
         error "bound: below 2^{1 - D} of the root, downwards, or of one last place if that is more";

@@ -16,7 +16,7 @@ pub(crate) type Constants = Vec<Vec<Option<bool>>>;
 type Bits = HashSet<(usize, usize)>;
 
 /// Gives the bits that never change their values; `registers` are those without controls.
-fn fix(constants: &Constants, begin: &mut Begin, registers: &[usize]) {
+pub(crate) fn fix(constants: &Constants, begin: &mut Begin, registers: &[usize]) {
     for (register, constants) in registers.iter().zip(constants) {
         let bits = begin.register_mut(*register).iter_mut();
         for (bit, constant) in bits.zip(constants) {

@@ -12,6 +12,7 @@ use crate::fading::{self, Differing, Fading};
 use crate::flow::{State, Unrolled, keeps_nothing};
 use crate::frame::{Begin, End, Frame, Reached, Word, constant, state_pairs, zip};
 use crate::gates::{Bit, Gates, NO};
+use crate::idle::fix;
 use crate::known::Known;
 use crate::phases::Phases;
 use crate::rest::Rest;
@@ -30,6 +31,8 @@ pub struct Judge {
     state: HashMap<usize, State>,
     known: Known,
     keeps_nothing: bool,
+    /// The clock with all constants at their values, where there are any.
+    fixed: Option<Frame>,
     /// A clock of the work, where inputs are held and registers hold them.
     work: Option<Frame>,
     /// The circuit over its latency, made when it is first wanted: from any clock, from the beginning of the work, the
@@ -59,6 +62,12 @@ impl Judge {
             let begin = known.held.work(of.begin.clone(), &of.registers);
             begin.clock(&mut of.gates)
         });
+        let mut constants = known.constants.iter().flatten();
+        let fixed = constants.any(Option::is_some).then(|| {
+            let mut begin = of.begin.clone();
+            fix(&known.constants, &mut begin, &of.registers);
+            begin.clock(&mut of.gates)
+        });
         let state = State::of(&of.begin);
         let keeps_nothing = keeps_nothing(&of.gates, &of.clock.end, &state, known.latency);
         of.gates = of.gates.frozen();
@@ -67,6 +76,7 @@ impl Judge {
             state,
             known: known.clone(),
             keeps_nothing,
+            fixed,
             work,
             rest: OnceLock::new(),
             fading: Default::default(),
@@ -124,13 +134,15 @@ impl Judge {
         let mut gates = self.of.gates.clone();
         let bad = self.of.clock.with(upsets, [], &mut gates);
         let of_a_clock = self.of_a_clock(&bad, &mut gates, conflicts);
-        let is_equal = of_a_clock == Verdict::Equivalent;
-        if is_equal && self.known.always_holds {
+        let is_same =
+            of_a_clock == Verdict::Equivalent || self.is_same_by_constants(upsets, conflicts);
+        if is_same && self.known.always_holds {
             return Verdict::Equivalent;
         }
         if self.is_same_at_work(upsets) || self.is_same_from_rest(upsets) {
             return Verdict::Equivalent;
         }
+        let is_equal = of_a_clock == Verdict::Equivalent;
         if self.forgets(&bad, &gates) && (is_equal || self.is_same_in_the_end(upsets, conflicts)) {
             return Verdict::Equivalent;
         }
@@ -275,10 +287,39 @@ impl Judge {
         equality(pairs, &self.of.assumed, gates, conflicts)
     }
 
+    /// Are outputs and next states equal after a clock that begins with all constants at their values, constants among
+    /// these states? Then nothing counts that is read beside a constant which hides it.
+    fn is_same_by_constants(&self, upsets: &[Upset], conflicts: u64) -> bool {
+        let Some(fixed) = &self.fixed else {
+            return false;
+        };
+        let mut gates = self.of.gates.clone();
+        let good = &fixed.end;
+        let bad = fixed.with(upsets, [], &mut gates);
+        let mut pairs = zip(&good.outputs, &bad.outputs);
+        for (register, constants) in self.of.registers.iter().zip(&self.known.constants) {
+            let words = zip(&good.registers[*register], &bad.registers[*register]);
+            let constant = words.into_iter().zip(constants);
+            let constant = constant.filter(|(_, constant)| constant.is_some());
+            pairs.extend(constant.map(|(pair, _)| pair));
+        }
+        let pairs = self.with_read(pairs, [good, &bad], &gates);
+        equality(pairs, &self.of.assumed, &mut gates, conflicts) == Verdict::Equivalent
+    }
+
     /// Outputs of circuit and mutant, and next states of all bits that either of them reads for an output.
     fn pairs(&self, bad: &End, gates: &Gates) -> Vec<(Bit, Bit)> {
         let good = &self.of.clock.end;
-        let mut pairs = zip(&good.outputs, &bad.outputs);
+        self.with_read(zip(&good.outputs, &bad.outputs), [good, bad], gates)
+    }
+
+    /// The same pairs, and the next states of all bits that are read for them.
+    fn with_read(
+        &self,
+        mut pairs: Vec<(Bit, Bit)>,
+        [good, bad]: [&End; 2],
+        gates: &Gates,
+    ) -> Vec<(Bit, Bit)> {
         let mut is_seen = vec![false; gates.len()];
         let mut is_taken = HashSet::new();
         let mut done = 0;

@@ -273,10 +273,12 @@ pub(super) fn polyhedron_processor(format: Format, planes: usize) -> Description
         [p.interval.zf, p.interval.zb, nf, fx, fy, fz, nb, bx, by, bz]
     };
     let plan = planned(&[("plane_", Depth(0))]);
+    let stimulus =
+        move |subject: &Subject, clocks| fronts_near_the_end(subject, plan(subject, clocks));
     let clocks = [0, polyhedron::latency(planes)];
     let mut words = PolyhedronWords::default();
     words.planes.resize_with(planes, PlaneWords::default);
-    zone(plan, format, clocks, words, Ports::polyhedron, pixel)
+    zone(stimulus, format, clocks, words, Ports::polyhedron, pixel)
 }
 
 /// Words of an object about the middle of a small zone: depths of a few thousand units, planes through them.

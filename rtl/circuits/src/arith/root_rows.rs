@@ -2,6 +2,7 @@
 
 use crate::rows::numbered;
 use imogene_hdl::{Bits, Bundle, Value, bundle, join, module, net};
+use std::ops::Range;
 
 bundle! {
     /// What a row takes, and, called `next`, what it leaves.
@@ -45,11 +46,11 @@ impl Row {
         }
     }
 
-    /// Behind `count` more rows of a kind, `rows_per_stage` of them before each register.
-    pub(super) fn behind(self, count: u32, rows_per_stage: u32, kind: Rows) -> Row {
-        let starts = (0..count).step_by(rows_per_stage as usize);
+    /// Behind these rows of a kind, `rows_per_stage` of them before each register.
+    pub(super) fn behind(self, rows: Range<u32>, rows_per_stage: u32, kind: Rows) -> Row {
+        let starts = rows.clone().step_by(rows_per_stage as usize);
         numbered("stages", starts).fold(self, |row, (at, first)| {
-            let rows = rows_per_stage.min(count - first);
+            let rows = rows_per_stage.min(rows.end - first);
             stage(&at, row, live(first, row.root.width()), rows, kind)
         })
     }

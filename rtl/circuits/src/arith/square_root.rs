@@ -1,7 +1,7 @@
 //! Cellular square root network.
 
 use super::RADICAND;
-use super::root_rows::{Row, live};
+use super::root_rows::{Row, Rows, live};
 use imogene_hdl::{Bits, Value, bundle, join, module, net};
 
 bundle! {
@@ -11,6 +11,9 @@ bundle! {
         remainder: Bits(digits + 1), "radicand - root^2";
     }
 }
+
+/// Rows that keep the old remainder where a trial is negative.
+pub(super) const RESTORING: Rows = ("square_root_stage", square_root_row);
 
 /// `floor(sqrt(radicand))` and its remainder by restoring rows, `rows_per_stage` of them between registers.
 ///
@@ -22,11 +25,11 @@ pub fn square_root(at: &str, radicand: Bits, rows_per_stage: u32) -> Root {
 /// The same without the last rows: the first `kept` digits are the low bits of the root.
 ///
 /// Latency `ceil(kept / rows_per_stage)`.
-pub(super) fn first_digits(at: &str, radicand: Bits, kept: u32, rows_per_stage: u32) -> Root {
+fn first_digits(at: &str, radicand: Bits, kept: u32, rows_per_stage: u32) -> Root {
     let inputs = ("radicand", radicand, RADICAND);
     module("square_root", at, inputs, |radicand| {
         let first = Row::first(radicand, radicand.width() / 2 + 1);
-        let last = first.behind(kept, rows_per_stage, ("square_root_stage", square_root_row));
+        let last = first.behind(0..kept, rows_per_stage, RESTORING);
         let Row {
             root, remainder, ..
         } = last;

@@ -14,7 +14,7 @@ pub fn square_root_non_restoring(at: &str, radicand: Bits, rows_per_stage: u32) 
     module("square_root_non_restoring", at, inputs, |radicand| {
         let digits = radicand.width() / 2;
         let kind: Rows = ("non_restoring_stage", non_restoring_row);
-        let last = Row::first(radicand, digits + 2).behind(digits, rows_per_stage, kind);
+        let last = Row::first(radicand, digits + 2).behind(0..digits, rows_per_stage, kind);
         net! {
             let restoring = join([Bits::new(0, 1), last.root, Bits::new(1, 1)]);
             let restored = last.remainder + restoring;

@@ -79,7 +79,7 @@ impl Method {
             Method::Restoring | Method::NonRestoring => root_bits.div_ceil(rows_per_stage),
             Method::Iterative => root_bits,
             Method::Rows { kept } => kept.div_ceil(rows_per_stage),
-            Method::Leading { kept } => kept.div_ceil(rows_per_stage) + 2,
+            Method::Leading { kept } => (kept - 1).div_ceil(rows_per_stage) + 2,
             Method::Linear { corrections } => 1 + 2 * corrections,
             Method::Quadratic { corrections } => 3 + 2 * corrections,
         }
