@@ -209,7 +209,7 @@ pub fn warning(value: impl std::fmt::Display) {
 
 /// Progress of `length` steps, nothing if they are not known: a bar on a terminal, and else a line every ten seconds.
 pub fn progress(length: u64, what: &'static str) -> ProgressBar {
-    if !std::io::stderr().is_terminal() {
+    if !io::stderr().is_terminal() {
         let bar = ProgressBar::with_draw_target(Some(length), ProgressDrawTarget::hidden());
         tell_now_and_then(bar.downgrade(), what);
         return bar;

@@ -35,6 +35,10 @@ struct Telling;
 static ALLOCATOR: Telling = Telling;
 
 // SAFETY: every call goes to the system's allocator as it is, and what it returns is returned unless it is null.
+#[expect(
+    clippy::undocumented_unsafe_blocks,
+    reason = "said of all of them above"
+)]
 unsafe impl GlobalAlloc for Telling {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
         there(unsafe { System.alloc(layout) })

@@ -1,11 +1,21 @@
 //! What a file is, by what it holds and else by what it is called, and files compressed with gzip.
 
 use crate::error::{Error, ImportError};
-use crate::pdb::Format;
 use flate2::read::MultiGzDecoder;
 use std::io::Read;
 
-/// Kinds of files that are read.
+/// The formats of structures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    /// Lines of fixed columns.
+    Pdb,
+    /// PDBx/mmCIF, a text of categories.
+    Mmcif,
+    /// BinaryCIF, the same categories as encoded columns.
+    Bcif,
+}
+
+/// Kinds of files that are read. They are told apart whatever features are on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// A molecule.

@@ -1,6 +1,9 @@
 //! Readers of real data: each turns one kind of file into a [`SceneFile`](imogene_scene::SceneFile) and says what it
 //! left out, what is exact and what is not.
 //!
+//! Each kind of file is a feature: `pdb` for molecules, `cad` for lists of faces and STEP, `terrain` for grids of
+//! heights.
+//!
 //! ```
 //! use imogene_import::pdb::{Format, Options, read};
 //! use imogene_scene::{Shape, Step};
@@ -20,11 +23,20 @@
 //! # Ok::<(), imogene_import::ImportError>(())
 //! ```
 
+// What all readers share is not all used by some of them.
+#![cfg_attr(
+    not(all(feature = "pdb", feature = "cad", feature = "terrain")),
+    allow(dead_code)
+)]
+
 mod error;
+#[cfg(feature = "cad")]
 pub mod faces;
 mod kind;
 mod kit;
+#[cfg(feature = "pdb")]
 pub mod pdb;
+#[cfg(feature = "terrain")]
 pub mod terrain;
 
 pub use error::{Error, ImportError, Place};

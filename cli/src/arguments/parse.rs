@@ -68,7 +68,7 @@ pub fn depth_word(text: &str) -> Result<u32, String> {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct FrameRange(Option<(usize, usize)>);
 
-impl fmt::Display for FrameRange {
+impl Display for FrameRange {
     fn fmt(&self, out: &mut fmt::Formatter) -> fmt::Result {
         match self.0 {
             Some((first, last)) => write!(out, "{first}..{last}"),

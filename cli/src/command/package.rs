@@ -36,7 +36,7 @@ pub fn run(options: &Package, json: bool) -> Result {
     output::report(json, &report, |report| {
         let (cores, bytes) = (counted(report.cores, "core"), counted(report.bytes, "byte"));
         let (files, folder) = (counted(report.files.len(), "file"), options.out.display());
-        output::text(format!("wrote {cores}, {files}, {bytes} below {folder}"))
+        output::text(format!("wrote {cores}, {files}, {bytes} below {folder}"));
     });
     Ok(())
 }

@@ -39,7 +39,7 @@ pub fn run(options: &Prove, json: bool) -> Result {
     let reports = prove_all(&tasks, &tools, done)?;
     bar.finish_and_clear();
     output::report(json, &reports, |_| {
-        output::text(format!("tools: {}", tools.versions.join(", ")))
+        output::text(format!("tools: {}", tools.versions.join(", ")));
     });
     verdict(&reports)
 }

@@ -49,7 +49,7 @@ pub fn run(options: &Terrain, json: bool) -> Result {
         let (lowest, highest) = (report.lowest, report.highest);
         output::text(format!(
             "{side} x {side} nodes, heights {lowest:.1} to {highest:.1}; wrote {path}"
-        ))
+        ));
     });
     Ok(())
 }

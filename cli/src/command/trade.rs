@@ -64,7 +64,7 @@ pub fn run(options: &Trade, json: bool) -> Result {
         bar.finish_and_clear();
         output::report(json, &json!({ "points": points, "files": [] }), |_| {
             let measured = counted(points, "point");
-            output::text(format!("part {} of {}: {measured}", shard.number, shard.of))
+            output::text(format!("part {} of {}: {measured}", shard.number, shard.of));
         });
         return Ok(());
     }

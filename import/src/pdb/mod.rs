@@ -18,6 +18,7 @@ mod scene;
 mod structure;
 mod words;
 
+pub use crate::kind::Format;
 pub use options::{Alternates, Colouring, ModelChoice, Options, Residues, Style};
 pub use report::Contents;
 
@@ -25,17 +26,6 @@ use crate::error::{Error, ImportError, Result};
 use crate::kit::Imported;
 use imogene_scene::{Molecule, SceneFile};
 use structure::Structure;
-
-/// The formats of structures.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Format {
-    /// Lines of fixed columns.
-    Pdb,
-    /// PDBx/mmCIF, a text of categories.
-    Mmcif,
-    /// BinaryCIF, the same categories as encoded columns.
-    Bcif,
-}
 
 impl Format {
     fn read(self, bytes: &[u8]) -> Result<Structure> {

@@ -18,7 +18,7 @@ use num_traits::{Signed, Zero};
 pub type Point = [BigRational; 2];
 
 /// The pieces of a cell as an eye at (u, v) sees it, moved outwards as `bilinear_piece` is; the bilinear patch for a
-/// plane or below the eye; nothing if the numbers have too many digits for a scene file.
+/// plane or below the eye; `None` if the numbers have too many digits for a scene file.
 pub fn ruled_pieces(z: &Corners, eye: &Point, outwards: [f64; 4]) -> Option<Vec<Piece>> {
     if is_plane(z) || eye.iter().all(|e| *e >= integer(0) && *e <= integer(1)) {
         return Some(vec![bilinear_piece(z, outwards)?]);

@@ -8,7 +8,7 @@ use crate::unit::root::Method;
 use imogene_contract::object::Kind;
 use imogene_contract::slots::FittedSlot;
 
-/// What words require of a processor of their own kind; nothing if there is none.
+/// What words require of a processor of their own kind; `None` if there is none.
 pub fn required(words: &ProcessorWords) -> Option<FittedSlot> {
     let (kind, planes) = match words {
         ProcessorWords::Quadric(words) => return Some(required_of_quadric(words)),

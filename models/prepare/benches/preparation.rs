@@ -46,7 +46,7 @@ fn preparation(c: &mut Criterion) {
         let text = scene(eye);
         let read = |text: &str| SceneFile::parse(text, "lattice").expect("valid");
         group.bench_function(format!("read, {view}"), |b| {
-            b.iter(|| read(black_box(&text)))
+            b.iter(|| read(black_box(&text)));
         });
         let file = read(&text);
         let frame = || file.frame(1280, 720).expect("valid");
@@ -56,7 +56,7 @@ fn preparation(c: &mut Criterion) {
         group.bench_function(format!("prepare, {view}"), |b| b.iter(prepared));
         let slots = prepared().slots();
         group.bench_function(format!("draw, {view}"), |b| {
-            b.iter(|| beam::render(&slots, &format, 1280, 720, || ()))
+            b.iter(|| beam::render(&slots, &format, 1280, 720, || ()));
         });
     }
     group.finish();

@@ -183,11 +183,11 @@ fn benchmark(criterion: &mut Criterion) {
     for instructions in Instructions::available() {
         let name = format!("golden integer model, {instructions:?}");
         group.bench_function(name, |b| {
-            b.iter(|| golden(instructions, black_box(words), &window))
+            b.iter(|| golden(instructions, black_box(words), &window));
         });
     }
     group.bench_function("floating-point ray caster", |b| {
-        b.iter(|| float(black_box(&caster), &window))
+        b.iter(|| float(black_box(&caster), &window));
     });
     group.finish();
 }

@@ -58,7 +58,7 @@ impl Product {
 ///
 /// It is what the rules of the source come to, of which each carries a difference or an intersection over a union, with
 /// `X - Y` for `X` and not `Y`.
-/// Nothing if an operation on the way has far more products than can be loaded.
+/// `None` if an operation on the way has far more products than can be loaded.
 pub fn normal_form(tree: &Tree) -> Option<Vec<Product>> {
     products(tree, false)
 }

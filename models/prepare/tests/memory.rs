@@ -26,6 +26,10 @@ fn room(layout: Layout) -> usize {
 }
 
 // SAFETY: every call is handed on to the system's allocator as it is.
+#[expect(
+    clippy::undocumented_unsafe_blocks,
+    reason = "said of all of them above"
+)]
 unsafe impl GlobalAlloc for Counting {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
         let size = room(layout);

@@ -357,7 +357,7 @@ impl Writer<'_> {
             Home::Input(_) if self.to.shares_inputs => self.to.spread(register, from),
             // A vector across two words that were stored one by one would wait for both.
             Home::State(_) | Home::Input(_) => {
-                (self.to).load_words(self.lanes[value.0 as usize], register, from)
+                (self.to).load_words(self.lanes[value.0 as usize], register, from);
             }
             _ => self.to.load(register, from),
         }

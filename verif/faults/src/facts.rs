@@ -79,7 +79,7 @@ pub(crate) fn facts(mut of: Reached, seen: &[Vec<u64>]) -> Vec<Fact> {
     proven.find_map(|facts| facts).unwrap_or_default()
 }
 
-/// Those of some facts that are proven; nothing if they are too much for the solver.
+/// Those of some facts that are proven; `None` if they are too much for the solver.
 fn proven(of: &mut Reached, mut facts: Vec<Fact>) -> Option<Vec<Fact>> {
     loop {
         let before = |register: usize| of.begin.register(register);

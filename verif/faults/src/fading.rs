@@ -44,7 +44,7 @@ pub(crate) struct Fading {
 }
 
 impl Fading {
-    /// While inputs are held and registers hold them, or at any time; nothing if it is too large, or what is known of
+    /// While inputs are held and registers hold them, or at any time; `None` if it is too large, or what is known of
     /// the states need not hold.
     pub(crate) fn of(of: &Reached, known: &Known, held: Option<&Held>) -> Option<Fading> {
         if !known.always_holds {
@@ -87,7 +87,7 @@ impl Fading {
         None
     }
 
-    /// The bits that the last clock makes of those that may differ, besides these, and whether they can; nothing if
+    /// The bits that the last clock makes of those that may differ, besides these, and whether they can; `None` if
     /// something that counts can, or if the solver gives up.
     fn made(
         &self,
@@ -157,7 +157,7 @@ impl Fading {
         })
     }
 
-    /// The same where all is equal from so many clocks behind power-up on; nothing if they are too many.
+    /// The same where all is equal from so many clocks behind power-up on; `None` if they are too many.
     fn is_same_behind(
         &self,
         clocks: usize,

@@ -68,7 +68,7 @@ pub(crate) fn keeps_nothing(
 }
 
 impl Unrolled {
-    /// So many clocks; nothing if that is too large. `fix` fixes inputs of a clock, by its number and the clocks
+    /// So many clocks; `None` if that is too large. `fix` fixes inputs of a clock, by its number and the clocks
     /// before.
     pub(crate) fn new(
         gates: &Gates,

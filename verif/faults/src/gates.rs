@@ -77,7 +77,7 @@ impl Gates {
         self.add([NO; 2])
     }
 
-    /// What a gate reads; nothing if it is an input or the constant.
+    /// What a gate reads; `None` if it is an input or the constant.
     pub(crate) fn operands(&self, gate: usize) -> Option<[Bit; 2]> {
         let operands = self.at(gate);
         (operands != [NO; 2]).then_some(operands)

@@ -120,7 +120,7 @@ impl Idle {
             .is_some_and(|differs| self.is_gone(levels, &differs, clocks))
     }
 
-    /// What differs before the work if these bits do; nothing if that is written into a memory.
+    /// What differs before the work if these bits do; `None` if that is written into a memory.
     fn spread(&self, levels: &Arc<Levels>, mut differs: Bits) -> Option<Bits> {
         loop {
             let mut gates = Gates::new();

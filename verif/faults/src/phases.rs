@@ -102,7 +102,7 @@ impl Phases {
         false
     }
 
-    /// What a clock may break before which all is alike that has to be; nothing if an output may show it, or if the
+    /// What a clock may break before which all is alike that has to be; `None` if an output may show it, or if the
     /// solver gives up.
     fn broken(&self, of: &Reached, upsets: &[Upset], alike: &Alike) -> Option<Vec<Goal>> {
         let (levels, mut gates) = (&of.begin.levels, of.gates.clone());

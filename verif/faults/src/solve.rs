@@ -100,7 +100,7 @@ pub(crate) fn ask(
     }
 }
 
-/// Can each of these bits be 1 in some case in which others are 1? Nothing if one that is never to be 1 can be, or if
+/// Can each of these bits be 1 in some case in which others are 1? `None` if one that is never to be 1 can be, or if
 /// the solver gives up.
 pub(crate) fn possible(
     gates: &Gates,

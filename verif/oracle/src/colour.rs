@@ -67,7 +67,7 @@ pub struct Surface {
 }
 
 impl Colours {
-    /// Of a scene that was read and checked; nothing if a source does not reach everything, or if pixels are not
+    /// Of a scene that was read and checked; `None` if a source does not reach everything, or if pixels are not
     /// sampled at their whole places, for which golden normals are of another frame.
     pub fn new(scene: &SceneFile, sight: &Sight) -> Option<Colours> {
         let scene = scene.flattened();
@@ -88,7 +88,7 @@ impl Colours {
     }
 
     /// What is seen at a pixel: the background or a surface, and transparent surfaces before it, the farthest first.
-    /// Nothing if a surface is seen from its edge, so that its side is open.
+    /// `None` if a surface is seen from its edge, so that its side is open.
     pub fn seen(
         &self,
         at: (i64, i64),
@@ -154,7 +154,7 @@ impl Colours {
 }
 
 impl Source {
-    /// Nothing if it does not reach everything.
+    /// `None` if it does not reach everything.
     fn new(light: &Light) -> Option<Source> {
         let (is_far, mut at) = match &light.beam {
             _ if light.shadows => return None,

@@ -123,7 +123,7 @@ impl Waves {
         });
     }
 
-    /// What was kept; nothing if no clock was.
+    /// What was kept; `None` if no clock was.
     pub(super) fn finish(self) -> Option<Trace> {
         Some(self.trace).filter(|trace| !trace.is_empty())
     }

@@ -377,7 +377,7 @@ struct Surface {
 }
 
 impl Surface {
-    /// Nothing if there are none.
+    /// `None` if there are none.
     fn of(subject: &Subject) -> Option<Surface> {
         Some(Surface {
             linear: place(subject, "f1_a")?,

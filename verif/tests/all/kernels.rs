@@ -13,7 +13,7 @@ use rust_hdl::core::prelude::Block;
 
 /// What rust-hdl prints of a kernel.
 fn printed<K: Block + Default>() -> String {
-    imogene_kernels::verilog(&mut K::default())
+    verilog(&mut K::default())
 }
 
 /// The module of this name of the network of so many digits, a row for each stage.

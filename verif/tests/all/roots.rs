@@ -16,7 +16,8 @@ fn radicands(bits: u32) -> Vec<u64> {
         let (third, half) = (first / 3, first / 2);
         let spread = [0, 1, third, half, half + 1, first - 2, first - 1];
         found.extend(spread.map(|offset| first + offset));
-        let n = 1u64.checked_shl(place / 2).unwrap_or(1) + (place as u64 * 37) % (1 << (place / 2));
+        let n =
+            1u64.checked_shl(place / 2).unwrap_or(1) + (u64::from(place) * 37) % (1 << (place / 2));
         found.extend([n * n - 1, n * n, n * n + 2 * n]);
     }
     found.extend([last, last - 1, last / 2]);

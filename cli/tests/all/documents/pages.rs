@@ -82,7 +82,7 @@ fn prose_ends_at_column_120() {
 
 #[test]
 fn comments_end_at_column_120() {
-    let mut folders = vec![root().to_owned()];
+    let mut folders = vec![root()];
     let (mut problems, mut count) = (vec![], 0);
     while let Some(folder) = folders.pop() {
         for entry in std::fs::read_dir(folder).unwrap() {

@@ -64,7 +64,7 @@ struct Case {
     report: CheckReport,
 }
 
-/// Nothing if the format refuses it.
+/// `None` if the format refuses it.
 fn case(text: &str, depth: u32) -> Option<Case> {
     let file = SceneFile::parse(text, "kinds.toml").expect("a valid scene");
     let scene = file.frame(SIZE.0, SIZE.1).ok()?;

@@ -50,7 +50,7 @@ fn random_planes_wrap_a_depth_word_but_not_the_plane_word() {
         assert!(own.all(|p| !leaves(F.plane, p)));
         assert!(object.needed.plane <= F.plane);
     }
-    let percent = 100.0 * wrapping as f64 / samples as f64;
+    let percent = 100.0 * wrapping as f64 / f64::from(samples);
     println!("{percent:.1} % of random planes wrap a 24-bit accumulator");
     assert!((35.0..39.5).contains(&percent), "{percent} %");
 }
@@ -147,11 +147,11 @@ fn seen_from_inside_the_cap_has_no_hole_where_f2_is_negative() {
             }
         }
         let inside = golden_pixels(words);
-        let percent = 100.0 * hole as f64 / cap as f64;
+        let percent = 100.0 * hole as f64 / f64::from(cap);
         println!("zc = {zc}: the naive rule loses {percent:.2} % of the cap");
         assert!((percent - loss_percent).abs() < 0.2);
         // The rim itself has zero thickness; only there may the count differ.
-        let more = inside as i64 - cap as i64;
+        let more = inside as i64 - i64::from(cap);
         assert!((0..60).contains(&more), "{more} of {cap} pixels");
         let middle = golden_at(words, 360, 270).expect("the middle of the cap");
         assert_eq!(middle.number, FACE_PLANE);

@@ -31,8 +31,8 @@ impl Linear {
     pub fn wrapped_at(&self, x: i64, y: i64, width: u32) -> i128 {
         let sum = self
             .a
-            .wrapping_mul(x as i128)
-            .wrapping_add(self.b.wrapping_mul(y as i128))
+            .wrapping_mul(i128::from(x))
+            .wrapping_add(self.b.wrapping_mul(i128::from(y)))
             .wrapping_add(self.c);
         wrap(sum, width)
     }
@@ -40,7 +40,7 @@ impl Linear {
     /// The same expression seen from a zone whose first pixel is (x0, y0).
     pub fn from_zone(&self, x0: i64, y0: i64) -> Linear {
         Linear {
-            c: self.a * x0 as i128 + self.b * y0 as i128 + self.c,
+            c: self.a * i128::from(x0) + self.b * i128::from(y0) + self.c,
             ..*self
         }
     }
@@ -49,8 +49,8 @@ impl Linear {
     pub fn on(&self, pixels: &Lattice) -> Linear {
         let moved = self.from_zone(pixels.x0, pixels.y0);
         Linear {
-            a: moved.a * pixels.dx as i128,
-            b: moved.b * pixels.dy as i128,
+            a: moved.a * i128::from(pixels.dx),
+            b: moved.b * i128::from(pixels.dy),
             ..moved
         }
     }

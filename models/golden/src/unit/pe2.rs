@@ -69,7 +69,7 @@ impl Quadratic {
 
     /// The value at a pixel modulo 2^width: the closed form of what PE2 emits.
     pub fn wrapped_at(&self, x: i64, y: i64, width: u32) -> i128 {
-        let (x, y) = (x as i128, y as i128);
+        let (x, y) = (i128::from(x), i128::from(y));
         let along = self.a.wrapping_mul(x).wrapping_add(self.d);
         let along = along.wrapping_add(self.c.wrapping_mul(y)).wrapping_mul(x);
         let down = self.b.wrapping_mul(y).wrapping_add(self.e).wrapping_mul(y);
@@ -78,7 +78,7 @@ impl Quadratic {
 
     /// The same expression seen from a zone whose first pixel is (x0, y0) (source: 2.4.4, with the constant it drops).
     pub fn from_zone(&self, x0: i64, y0: i64) -> Quadratic {
-        let (k, l) = (x0 as i128, y0 as i128);
+        let (k, l) = (i128::from(x0), i128::from(y0));
         Quadratic {
             d: self.d + 2 * self.a * k + self.c * l,
             e: self.e + 2 * self.b * l + self.c * k,
@@ -90,7 +90,7 @@ impl Quadratic {
     /// The expression at the pixels of a lattice alone (source: 2.4.4, with the term `e first` it drops).
     pub fn on(&self, pixels: &Lattice) -> Quadratic {
         let moved = self.from_zone(pixels.x0, pixels.y0);
-        let (m, n) = (pixels.dx as i128, pixels.dy as i128);
+        let (m, n) = (i128::from(pixels.dx), i128::from(pixels.dy));
         Quadratic::new([
             moved.a * m * m,
             moved.b * n * n,

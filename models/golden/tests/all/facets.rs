@@ -213,7 +213,7 @@ fn a_fan_around_a_pixel_has_it_once() {
         let triangle = [at(12, 12), around(i), around(i + 1)];
         let words = FacetWords::new(&triangle, SCREEN, &F).unwrap();
         flat(&words, |x, y, pixel| {
-            count[(y * SIDE + x) as usize] += i32::from(present(&pixel))
+            count[(y * SIDE + x) as usize] += i32::from(present(&pixel));
         });
     }
     for ((x, y), count) in square(SIDE).zip(count) {

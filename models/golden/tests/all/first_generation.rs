@@ -109,7 +109,7 @@ fn parts() -> impl Strategy<Value = (Linear, Quadratic, Linear, i128)> {
     let linear = || (slope(), slope(), -80i128..=80).prop_map(|(a, b, c)| Linear::new(a, b, c));
     let quadratic = (-60i128..=25, -60i128..=25, -30i128..=30, 0i128..6000);
     (linear(), quadratic, linear(), 0i128..200).prop_map(|(f1, (a, b, c, f), front, thickness)| {
-        let f2 = Quadratic::new([a, b, c, -SIDE as i128 * a, -SIDE as i128 * b, f]);
+        let f2 = Quadratic::new([a, b, c, i128::from(-SIDE) * a, i128::from(-SIDE) * b, f]);
         (f1, f2, front, thickness)
     })
 }

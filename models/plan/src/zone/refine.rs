@@ -124,7 +124,7 @@ impl<'a> ZoneRefiner<'a> {
         self.zone.parts = left;
     }
 
-    /// The planes of a part that matter on a window; nothing if it is at no pixel there.
+    /// The planes of a part that matter on a window; `None` if it is at no pixel there.
     fn planes_on(&self, window: &ScreenBox, index: u32, refinement: Refinement) -> Option<Planes> {
         let part = self.part(index);
         let window = part.words.screen_box().shared(window);
@@ -280,7 +280,7 @@ impl<'a> ZoneRefiner<'a> {
             let (objects, intersected) = (objects.collect::<Vec<_>>(), product.intersected.len());
             for y in 0..height as i64 {
                 for_each_seen(&objects, intersected, format, y, |x, _, pixel| {
-                    show(x, y, pixel)
+                    show(x, y, pixel);
                 });
             }
         }

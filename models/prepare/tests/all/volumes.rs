@@ -117,8 +117,8 @@ fn quadric() -> impl Strategy<Value = VolumeQuadric> {
                 a,
                 b,
                 c,
-                d: -SIDE as i128 * a,
-                e: -SIDE as i128 * b,
+                d: i128::from(-SIDE) * a,
+                e: i128::from(-SIDE) * b,
                 f,
             },
             shift,
@@ -182,7 +182,7 @@ fn the_background_and_what_is_outside_the_box_are_in_no_volume() {
         },
     );
     each_point(&everything, &[F.z_max()], |_, _, _, inside| {
-        assert!(!inside)
+        assert!(!inside);
     });
 }
 

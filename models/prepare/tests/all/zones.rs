@@ -35,7 +35,7 @@ fn picture(words: &QuadricWords, width: i64, height: i64) -> Vec<Option<ObjectPi
     let mut pixels = vec![None; (width * height) as usize];
     for y in 0..height {
         for_each_present(words, &F, y, |x, pixel| {
-            pixels[(y * width + x) as usize] = Some(pixel)
+            pixels[(y * width + x) as usize] = Some(pixel);
         });
     }
     pixels

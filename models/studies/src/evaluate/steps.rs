@@ -119,15 +119,15 @@ fn steps() -> Vec<(&'static str, Tally)> {
         }),
         step("facet_sides", || outline(&points(&CUBE[..3]))),
         step("facet_sides_and_corner", || {
-            corner(outline(&points(&CUBE[..3])))
+            corner(outline(&points(&CUBE[..3])));
         }),
         step("patch_sides", || outline(&points(&TETRAHEDRON))),
         step("patch_sides_and_corner", || {
-            corner(outline(&points(&TETRAHEDRON)))
+            corner(outline(&points(&TETRAHEDRON)));
         }),
         step("quadric_sides", || outline_of(&points(&CUBE), is_edge)),
         step("quadric_sides_and_corner", || {
-            corner(outline_of(&points(&CUBE), is_edge))
+            corner(outline_of(&points(&CUBE), is_edge));
         }),
         step("moved_line", || zones::moved_line(&vector, k, l)),
         step("moved_conic", || {

@@ -222,13 +222,13 @@ fn guarded(depth: u32, guards: (u32, u32), dropped_rows: u32) -> Accuracy {
 
 fn supersampled(depth: u32, samples: u32, table_side: u32) -> Accuracy {
     changed(depth, |a| {
-        (a.supersampling, a.table_side) = (samples, table_side)
+        (a.supersampling, a.table_side) = (samples, table_side);
     })
 }
 
 fn preview(depth: u32, side: u32, table_side: u32) -> Accuracy {
     changed(depth, |a| {
-        (a.undersampling, a.table_side) = (side, table_side)
+        (a.undersampling, a.table_side) = (side, table_side);
     })
 }
 

@@ -156,7 +156,7 @@ fn draw_normal(
     let product_bits = format.normal_linear - 3;
     let room = product_bits + format.product_fraction() - shifted_bits;
     let factor_limit = f64::from(format.greatest_normal()).min(f64::exp2(f64::from(room)));
-    let denominator = 1 + random.below(1 << 20) as i128;
+    let denominator = 1 + i128::from(random.below(1 << 20));
     let size = random.magnitude(1.0, 8);
     let spread = (reach.x1 - reach.x0 + reach.y1 - reach.y0 + 1) as f64;
     let mut part = |limit: f64| (random.signed() * limit * denominator as f64) as i128;

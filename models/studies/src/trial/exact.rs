@@ -199,15 +199,15 @@ fn draw_shape(reach: &ScreenBox, random: &mut Random) -> [f64; 6] {
 /// All kinds of denominators up to 2^20: small ones, of two, and any.
 fn draw_denominator(random: &mut Random) -> i128 {
     match random.below(4) {
-        0 => 1 + random.below(8) as i128,
+        0 => 1 + i128::from(random.below(8)),
         1 => 1 << random.below(21),
-        _ => 1 + random.below(1 << 20) as i128,
+        _ => 1 + i128::from(random.below(1 << 20)),
     }
 }
 
 /// The numerator of about `value`, with the low bits that `f64` does not have drawn too.
 fn precise(value: f64, denominator: i128, random: &mut Random) -> i128 {
-    value.round() as i128 * denominator + random.below(denominator as u64) as i128
+    value.round() as i128 * denominator + i128::from(random.below(denominator as u64))
 }
 
 /// Replaces what is rounded off by the greatest possible, with random signs or all the same.

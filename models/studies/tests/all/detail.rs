@@ -134,8 +134,8 @@ fn bounds_never_contradict_a_pixel_of_the_collection() {
 
 fn linear(range: i64) -> impl Strategy<Value = Linear> {
     let one = -range..=range;
-    (one.clone(), one.clone(), -(range * 16)..=range * 16)
-        .prop_map(|(a, b, c)| Linear::new(a as i128, b as i128, c as i128))
+    (one.clone(), one, -(range * 16)..=range * 16)
+        .prop_map(|(a, b, c)| Linear::new(i128::from(a), i128::from(b), i128::from(c)))
 }
 
 const KINDS: [PlaneKind; 4] = [

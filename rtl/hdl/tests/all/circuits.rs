@@ -10,7 +10,7 @@ fn refusal<T>(build: impl FnOnce() -> T + std::panic::UnwindSafe) -> String {
         Design::of(|| {
             module("part", "top", (), |()| {
                 build();
-            })
+            });
         });
     });
     let problem = outcome.expect_err("it is no circuit");

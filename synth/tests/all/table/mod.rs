@@ -167,7 +167,7 @@ pub fn out_of_date(table: &Table) -> Vec<String> {
         match table.find(row) {
             None => problems.push(format!("{row:?}: no row")),
             Some(known) if known.verilog != verilog => {
-                problems.push(format!("{row:?}: other Verilog"))
+                problems.push(format!("{row:?}: other Verilog"));
             }
             Some(_) => {}
         }

@@ -155,7 +155,7 @@ fn wrong_pictures_of_glass_are_found() {
             there.for_each(|z| *z = Format::BASE.z_low());
         }),
         ("a normal of the surface behind", |f| {
-            f.layers[2].normal = f.layers[0].normal.clone()
+            f.layers[2].normal = f.layers[0].normal.clone();
         }),
     ];
     for (what, fault) in faults {

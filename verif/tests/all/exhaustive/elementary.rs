@@ -22,7 +22,7 @@ fn wrapped(value: i64, width: usize) -> i64 {
 }
 
 /// All words of a width.
-fn words(width: usize) -> std::ops::Range<i64> {
+fn words(width: usize) -> Range<i64> {
     -(1 << (width - 1))..1 << (width - 1)
 }
 

@@ -74,7 +74,7 @@ fn words_that_never_change_toggle_nothing() {
     assert_eq!(toggles.total, 0.0);
     let moving = QuadricWords {
         f1: Linear::new(1, 0, 0),
-        ..words.clone()
+        ..words
     };
     let toggles = counted(vec![moving.clone(), moving], 3, 1);
     // Two slots of 0, 1, 2: three changes of bits in two clocks each; the sums are the same less and more 1024.

@@ -55,7 +55,7 @@ fn random_meshes_have_the_shadows_of_the_exact_rays() {
         compare(&pictures, &mut tally);
     }
     eprintln!("{tally:?}");
-    let lit = 5000 * rounds as usize;
+    let lit = 5000 * rounds;
     assert!(tally.lit > lit && 4 * tally.dark > lit, "{tally:?}");
     assert!(tally.open * 25 < tally.flags, "{tally:?}");
     assert!(tally.differing * 1000 < tally.flags, "{tally:?}");

@@ -77,8 +77,8 @@ fn random_polyhedra_have_the_shadows_of_the_exact_rays() {
         compare(&pictures, &mut tally);
     }
     eprintln!("{volumes} volumes, {tally:?}");
-    assert!(volumes > 10 * rounds as usize);
-    let lit = 8000 * rounds as usize;
+    assert!(volumes > 10 * rounds);
+    let lit = 8000 * rounds;
     assert!(tally.lit > lit && 4 * tally.dark > lit, "{tally:?}");
     assert!(tally.open * 500 < tally.flags, "{tally:?}");
     assert_eq!(tally.differing, tally.at_an_edge, "{tally:?}");

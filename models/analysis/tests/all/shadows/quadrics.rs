@@ -77,8 +77,8 @@ fn random_cut_quadrics_have_the_shadows_of_the_exact_rays() {
     }
     eprintln!("{prepared_scenes} scenes, {refused} refused, {parts} volumes, {tally:?}");
     assert!(prepared_scenes + refused == rounds);
-    assert!(3 * prepared_scenes >= 2 * rounds && parts > 8 * rounds as usize);
-    let lit = 4000 * rounds as usize;
+    assert!(3 * prepared_scenes >= 2 * rounds && parts > 8 * rounds);
+    let lit = 4000 * rounds;
     assert!(tally.lit > lit && 4 * tally.dark > lit, "{tally:?}");
     assert!(tally.differing * 1000 < tally.flags, "{tally:?}");
     assert!(tally.open * 20 < tally.flags, "{tally:?}");

@@ -38,7 +38,7 @@ proptest! {
         words in words(), depth in prop_oneof![Just(16u32), Just(24)], end in -1i128..=1
     ) {
         let format = Format::new(depth).unwrap();
-        let words = moved(words, end * format.z_max() as i128);
+        let words = moved(words, end * i128::from(format.z_max()));
         for (x, y) in pixels() {
             prop_assert_eq!(at(&words, x, y, &format), words.at(x, y, &format), "pixel ({}, {})", x, y);
         }

@@ -28,7 +28,7 @@ proptest! {
     fn equals_the_exact_polynomial_modulo_its_width(
         a in any::<i64>(), b in any::<i64>(), c in any::<i64>(), width in 2u32..=64
     ) {
-        let expression = Linear::new(a as i128, b as i128, c as i128);
+        let expression = Linear::new(i128::from(a), i128::from(b), i128::from(c));
         let values = scanned(expression, width, 7, 7);
         check_modulo(&values, width, |x, y| (expression.exact_at(x, y), expression.wrapped_at(x, y, width)))?;
     }

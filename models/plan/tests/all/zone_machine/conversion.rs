@@ -94,7 +94,7 @@ fn volumes_of_the_collection_are_the_same_pixel_for_pixel() {
                 let [got, wanted] = [&ours, theirs].map(|words| {
                     let mut columns = vec![];
                     for_each_inside(words, &prepared.format, y as i64, depths, |x| {
-                        columns.push(x)
+                        columns.push(x);
                     });
                     columns
                 });

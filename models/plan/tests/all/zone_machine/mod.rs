@@ -219,7 +219,7 @@ fn four_hundred_and_eighty_spheres_are_drawn() {
     let truth = Truth::of(&prepared, &prepared.slots());
     let plan = planned(&prepared, MACHINE.clone());
     truth.assert_is_drawn(&plan);
-    let mut seen: Vec<i32> = truth.frame.id.clone();
+    let mut seen: Vec<i32> = truth.frame.id;
     seen.sort_unstable();
     seen.dedup();
     assert!(seen.len() > 400, "{} objects are seen", seen.len());

@@ -9,11 +9,11 @@ fn limits_are_read_with_their_units() {
     assert_eq!("0".parse(), Ok(CountLimit::Pixels(0)));
     assert_eq!("0.1%".parse::<CountLimit>().map(|l| l.of(76_800)), Ok(76));
     for text in ["", "-1", "px", "nan", "1 m", "inf"] {
-        let error = text.parse::<DepthLimit>().unwrap_err().to_string();
+        let error = text.parse::<DepthLimit>().unwrap_err();
         assert!(error.contains("0.5px"), "{text}: {error}");
     }
     for text in ["", "-1", "0.5", "%", "a%"] {
-        let error = text.parse::<CountLimit>().unwrap_err().to_string();
+        let error = text.parse::<CountLimit>().unwrap_err();
         assert!(error.contains("0.1%"), "{text}: {error}");
     }
 }
