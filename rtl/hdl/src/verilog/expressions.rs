@@ -3,6 +3,7 @@
 use super::names::Names;
 use super::text::{Name, literal};
 use crate::tree::{Binary, Module, Net, Op};
+use crate::value::mask;
 
 /// A module with the names of its nets.
 pub(super) struct Writer<'a> {
@@ -60,6 +61,9 @@ impl Writer<'_> {
                 closed(format!("{} ? {} : {last}", value(which), value(a)))
             }
             Op::Slice(a, low) => {
+                if let Op::Literal(bits) = self.module.node(*a).op {
+                    return literal(bits >> low & mask(node.width), node.width, false);
+                }
                 let name = self.names.get(*a).expect("what is sliced has a name");
                 name.part(low + node.width - 1, *low, self.module.node(*a).width)
             }

@@ -27,12 +27,16 @@ pub fn requests() -> Vec<Request> {
         (28, 2, 5, 3),
         (32, 12, 4, 5),
     ];
-    let request = |unit, (depth_word, planes, rows_per_stage, objects)| Request {
-        // A polyhedron has a plane at least.
-        planes: u32::max(planes, u32::from(unit == Unit::PolyhedronProcessor)),
-        rows_per_stage,
-        objects,
-        ..Request::of(unit, depth_word)
+    let request = |unit, (depth_word, planes, rows_per_stage, objects)| {
+        let usual = Request::of(unit, depth_word);
+        Request {
+            // A polyhedron has a plane at least.
+            planes: u32::max(planes, u32::from(unit == Unit::PolyhedronProcessor)),
+            digits: if planes == 0 { 1 } else { usual.digits },
+            rows_per_stage,
+            objects,
+            ..usual
+        }
     };
     let of = |unit| shapes.map(|shape| request(unit, shape));
     Unit::ALL.into_iter().flat_map(of).collect()
