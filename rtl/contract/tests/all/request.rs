@@ -52,7 +52,7 @@ fn forms_of_the_root_are_of_units_that_hold_one() {
     assert!(linear.error().contains("root, bound: 0.473 %"));
     assert!(linear.arguments().contains("--root-form linear2"));
     let beam = with(Unit::Beam, "leading8").expect("legal");
-    assert_eq!(beam.latency(), 1 + (8 + 2 + 11) + 2);
+    assert_eq!(beam.latency(), 1 + (7 + 2 + 11) + 2);
     for unit in Unit::ALL {
         assert!(with(unit, "restoring").is_ok());
         let name = unit.name();
