@@ -23,7 +23,7 @@ pub trait Hardware: Send {
 }
 
 /// Lanes of an engine that has some.
-pub const LANES: usize = 4;
+pub const LANES: usize = 8;
 
 /// A random stimulus.
 pub type Stimuli = BoxedStrategy<Vec<Inputs>>;

@@ -49,17 +49,25 @@ fn run(
     });
 }
 
+/// Compiles a design with points inside.
+type Compile = fn(&Design, &[String]) -> Program;
+
+const PROGRAMS: [(&str, Compile); 3] = [
+    ("one lane", Program::new),
+    ("lanes", Program::in_lanes),
+    ("one stimulus", Program::on_one_stimulus),
+];
+
 fn units(criterion: &mut Criterion) {
     for unit in [Unit::QuadricPe, Unit::QuadricProcessor, Unit::Beam] {
         let design = imogene_rtl::emit::design(&Request::new(unit)).expect("a unit by default");
         let rows = rows(unit, &design);
         let mut group = criterion.benchmark_group(unit.name());
-        for compile in [Program::new, Program::in_lanes, Program::on_one_stimulus] {
+        for (name, compile) in PROGRAMS {
             let program = compile(&design, &[]);
             let lanes = program.lanes();
             let mut simulation = Simulation::new(&Arc::new(program));
-            let name = format!("lanes/{lanes}");
-            run(&mut group, &name, &mut simulation, (&rows, lanes));
+            run(&mut group, name, &mut simulation, (&rows, lanes));
         }
     }
 }
@@ -72,7 +80,7 @@ fn mutants(criterion: &mut Criterion) {
         let sites = sites(&design);
         let controls = Controls::new(&design, &sites[sites.len() / 2..][..SITES]);
         let (mutants, rows) = (controls.mutants(), rows(unit, &design));
-        for compile in [Program::in_lanes, Program::on_one_stimulus] {
+        for (name, compile) in &PROGRAMS[1..] {
             let program = Arc::new(compile(&controls.design, &[]));
             let lanes = program.lanes();
             let mut simulation = Simulation::new(&program);
@@ -81,7 +89,7 @@ fn mutants(criterion: &mut Criterion) {
                     simulation.upset(lane, *register, *word);
                 }
             }
-            let name = format!("{}/{lanes}", unit.name());
+            let name = format!("{}/{name}", unit.name());
             run(&mut group, &name, &mut simulation, (&rows, lanes));
         }
     }

@@ -12,7 +12,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let units = Unit::ALL.iter().copied();
     for unit in units.filter(|unit| wanted.is_none_or(|wanted| unit.name() == wanted)) {
         let design = imogene_rtl::emit::design(&Request::new(unit))?;
-        for program in [Program::new(&design, &[]), Program::in_lanes(&design, &[])] {
+        for compile in [Program::new, Program::in_lanes, Program::on_one_stimulus] {
+            let program = compile(&design, &[]);
             let code = program.machine_code().ok_or("this processor has no AVX2")?;
             let digest = BuildHasherDefault::<DefaultHasher>::default().hash_one(code);
             let (name, lanes, bytes) = (unit.name(), program.lanes(), code.len());

@@ -1,13 +1,14 @@
 //! Instructions of x86-64 with AVX2, as bytes: Intel's manual, volume 2, sections 2.3 (VEX) and 2.1 (memory operands).
 //!
 //! A selection is one instruction less, and its condition is found once for many, where the processor has the masks of
-//! AVX-512 (section 2.7, EVEX). In eight lanes all vectors are its own, of 512 bits, in twice as many registers.
+//! AVX-512 (section 2.7, EVEX).
 
 use crate::layout::Lanes;
-use crate::line::Two;
+use crate::line::{Shuffle, Two};
+use crate::size::Size;
 
-/// Vector registers of AVX-512; AVX2 has half as many.
-pub(crate) const REGISTERS: usize = 32;
+/// Vector registers.
+pub(crate) const REGISTERS: usize = 16;
 
 /// A general register that holds an address; these are in the order in which a function takes them.
 pub(crate) type Base = u8;
@@ -26,34 +27,40 @@ pub(crate) enum Operand {
 }
 
 /// An instruction: its table of codes, the prefix that it implies, the wide form of its operands (W), its code.
+#[derive(Clone, Copy)]
 pub(crate) struct Code(u8, u8, u8, u8);
 
 const LOAD: Code = Code(1, 2, 0, 0x6f);
 const STORE: Code = Code(1, 2, 0, 0x7f);
 const LOAD_WORD: Code = Code(1, 2, 0, 0x7e);
-/// A word beside the one that is there.
-pub(crate) const LOAD_HIGH: Code = Code(1, 1, 0, 0x16);
+/// The words for which those of another vector are all ones.
+pub(crate) const LOAD_WHERE: Code = Code(2, 1, 1, 0x8c);
 const STORE_WORD: Code = Code(1, 1, 0, 0xd6);
-const SHIFT: Code = Code(1, 1, 0, 0x73);
+/// By the size of words.
+const SHIFT: [Code; 2] = [Code(1, 1, 0, 0x72), Code(1, 1, 0, 0x73)];
 /// The way of a shift.
 pub(crate) const LEFT: u8 = 6;
 pub(crate) const RIGHT: u8 = 2;
 /// The top bit of each lane, in a general register (rax).
-const TOP_BITS: Code = Code(1, 1, 0, 0x50);
-const SELECT: Code = Code(3, 1, 0, 0x4b);
+const TOP_BITS: [Code; 2] = [Code(1, 0, 0, 0x50), Code(1, 1, 0, 0x50)];
+const SELECT: [Code; 2] = [Code(3, 1, 0, 0x4a), Code(3, 1, 0, 0x4b)];
 /// A word in every lane.
-const SPREAD: Code = Code(2, 1, 0, 0x59);
+const SPREAD: [Code; 2] = [Code(2, 1, 0, 0x58), Code(2, 1, 0, 0x59)];
 /// Two words side by side.
 pub(crate) const PAIR: Code = Code(1, 1, 0, 0x6c);
+const ODD: Code = Code(1, 1, 0, 0x6d);
+/// Two halves of two vectors, which a byte behind it names.
+const FROM_HALVES: Code = Code(3, 1, 0, 0x46);
 const HALVES: Code = Code(3, 1, 0, 0x38);
-/// A mask as a vector, all ones in each of its lanes.
-const FROM_MASK: Code = Code(2, 2, 1, 0x38);
-/// The words of a vector with another in the lanes that a byte behind it names by its pairs of bits.
-pub(crate) const BLEND: Code = Code(3, 1, 0, 0x02);
+/// The words of a vector with those of another in the halves of lanes that a byte behind it names.
+const BLEND: Code = Code(3, 1, 0, 0x02);
 /// The top bits of a vector in a mask.
 pub(crate) const TO_MASK: Code = Code(2, 2, 1, 0x39);
 /// The second operand where the mask has a one, else the first.
 pub(crate) const SELECT_BY_MASK: Code = Code(2, 1, 1, 0x64);
+
+/// What puts registers of the caller on the stack (r12 to r15, the rows of the last lanes).
+const KEPT: [u8; 4] = [0x54, 0x55, 0x56, 0x57];
 
 /// An index of a memory (rax), from the spilled words.
 pub(crate) const LOAD_INDEX: [u8; 3] = [0x48, 0x8b, 0x86];
@@ -67,7 +74,19 @@ pub(crate) const WRITE: [u8; 4] = [0x48, 0x89, 0x94, 0xc7];
 /// Masks of AVX-512 but for the first, which means none.
 pub(crate) const MASKS: usize = 7;
 
-fn code(how: Two) -> Code {
+fn code(how: Two, size: Size) -> Code {
+    if size == Size::Half {
+        return match how {
+            Two::Add => Code(1, 1, 0, 0xfe),
+            Two::Sub => Code(1, 1, 0, 0xfa),
+            Two::Equal => Code(1, 1, 0, 0x76),
+            Two::Greater => Code(1, 1, 0, 0x66),
+            Two::LeftBy => Code(2, 1, 0, 0x47),
+            Two::RightBy => Code(2, 1, 0, 0x45),
+            Two::Product | Two::SignedProduct => Code(2, 1, 0, 0x40),
+            bit_by_bit => code(bit_by_bit, Size::Whole),
+        };
+    }
     match how {
         Two::Add => Code(1, 1, 0, 0xd4),
         Two::Sub => Code(1, 1, 0, 0xfb),
@@ -90,8 +109,8 @@ pub(crate) struct Assembler {
     pub(crate) bytes: Vec<u8>,
     pub(crate) lanes: Lanes,
     pub(crate) has_masks: bool,
-    /// All lanes get the inputs of the first.
-    pub(crate) shares_inputs: bool,
+    /// Of inputs: one for each lane, or one for all; none where no input is read.
+    pub(crate) rows: usize,
 }
 
 impl Assembler {
@@ -112,21 +131,29 @@ impl Assembler {
         }
         match second {
             Operand::Memory(base, bytes) if i8::try_from(bytes).is_ok() => {
-                let reg = (reg & 7) << 3;
-                self.bytes.extend([0x40 | reg | base & 7, bytes as u8]);
+                self.address(0x40, reg, base);
+                self.bytes.push(bytes as u8);
             }
             _ => self.operand(reg, second),
         }
     }
 
     fn operand(&mut self, reg: u8, second: Operand) {
-        let reg = (reg & 7) << 3;
         match second {
-            Operand::Register(register) => self.bytes.push(0xc0 | reg | register & 7),
+            Operand::Register(register) => self.bytes.push(0xc0 | (reg & 7) << 3 | register & 7),
             Operand::Memory(base, bytes) => {
-                self.bytes.push(0x80 | reg | base & 7);
+                self.address(0x80, reg, base);
                 self.bytes.extend(bytes.to_le_bytes());
             }
+        }
+    }
+
+    /// So many bytes, as the mode says, behind an address.
+    fn address(&mut self, mode: u8, reg: u8, base: Base) {
+        self.bytes.push(mode | (reg & 7) << 3 | base & 7);
+        if base & 7 == 4 {
+            // Without an index.
+            self.bytes.push(0x24);
         }
     }
 
@@ -140,60 +167,40 @@ impl Assembler {
         };
         let registers = lacks(reg, 3) << 7 | more << 6 | beyond << 5 | lacks(reg, 4) << 4 | table;
         let middle = 1 << 7 | (!first & 15) << 3 | 1 << 2 | prefix;
-        let is_wide = self.lanes == Lanes::Eight;
-        // A constant or an input lies once, and is read into every lane.
-        let is_word = is_wide && matches!(second, Operand::Memory(CONSTANTS | ROWS, _));
-        let is_spread = is_word && byte != SPREAD.3;
-        let last = (self.lanes as u8) << 5 | u8::from(is_spread) << 4 | lacks(first, 4) << 3 | mask;
+        let last = (self.lanes as u8) << 5 | lacks(first, 4) << 3 | mask;
         self.bytes.extend([0x62, registers, middle, last, byte]);
-        // There a distance of one byte counts words or vectors.
-        let unit = if is_word { 8 } else { 64 };
-        match second {
-            Operand::Memory(base, bytes)
-                if is_wide && bytes % unit == 0 && i8::try_from(bytes / unit).is_ok() =>
-            {
-                let reg = (reg & 7) << 3;
-                self.bytes
-                    .extend([0x40 | reg | base & 7, (bytes / unit) as u8]);
-            }
-            _ => self.operand(reg, second),
-        }
+        self.operand(reg, second);
     }
 
     fn vector(&mut self, code: Code, reg: u8, first: u8, second: Operand) {
-        match self.lanes {
-            Lanes::Eight => self.evex(code, reg, first, second, 0),
-            lanes => self.vex(code, lanes == Lanes::Four, reg, first, second),
-        }
+        self.vex(code, self.lanes == Lanes::Four, reg, first, second);
     }
 
-    /// How many vector registers there are.
-    pub(crate) fn registers(&self) -> usize {
-        match self.lanes {
-            Lanes::Eight => REGISTERS,
-            _ => REGISTERS / 2,
-        }
+    pub(crate) fn two(&mut self, how: Two, size: Size, to: u8, a: u8, b: Operand) {
+        self.vector(code(how, size), to, a, b);
     }
 
-    pub(crate) fn two(&mut self, how: Two, to: u8, a: u8, b: Operand) {
-        match (how, self.lanes) {
-            (Two::Equal | Two::Greater, Lanes::Eight) => {
-                self.vector(code(how), 0, a, b);
-                self.vector(FROM_MASK, to, 0, Operand::Register(0));
-            }
-            _ => self.vector(code(how), to, a, b),
-        }
-    }
-
-    pub(crate) fn shift(&mut self, way: u8, to: u8, a: u8, count: u32) {
-        self.vector(SHIFT, way, to, Operand::Register(a));
+    pub(crate) fn shift(&mut self, way: u8, size: Size, to: u8, a: u8, count: u32) {
+        self.vector(SHIFT[size as usize], way, to, Operand::Register(a));
         self.bytes.push(count as u8);
     }
 
     /// The first operand where the top bit of `which` is 1, else `or`.
-    pub(crate) fn select(&mut self, to: u8, which: u8, then: Operand, or: u8) {
-        self.vector(SELECT, to, or, then);
+    pub(crate) fn select(&mut self, size: Size, to: u8, which: u8, then: Operand, or: u8) {
+        self.vector(SELECT[size as usize], to, or, then);
         self.bytes.push(which << 4);
+    }
+
+    /// Words of two vectors.
+    pub(crate) fn shuffle(&mut self, how: Shuffle, to: u8, a: u8, b: Operand) {
+        let (code, halves) = match how {
+            Shuffle::Even => (PAIR, None),
+            Shuffle::Odd => (ODD, None),
+            Shuffle::Front => (FROM_HALVES, Some(0x20)),
+            Shuffle::Back => (FROM_HALVES, Some(0x31)),
+        };
+        self.vex(code, true, to, a, b);
+        self.bytes.extend(halves);
     }
 
     /// Two pairs side by side.
@@ -204,27 +211,23 @@ impl Assembler {
 
     /// A whole vector.
     pub(crate) fn load(&mut self, to: u8, from: Operand) {
-        match (self.lanes, from) {
-            (Lanes::Eight, Operand::Memory(CONSTANTS, _)) => self.spread(to, from),
-            _ => self.whole(LOAD, to, from),
-        }
+        self.vex(LOAD, true, to, 0, from);
     }
 
     /// A whole vector.
     pub(crate) fn store(&mut self, from: u8, to: Operand) {
-        self.whole(STORE, from, to);
+        self.vex(STORE, true, from, 0, to);
     }
 
     /// One word in every lane.
-    pub(crate) fn spread(&mut self, to: u8, from: Operand) {
-        self.whole(SPREAD, to, from);
+    pub(crate) fn spread(&mut self, size: Size, to: u8, from: Operand) {
+        self.vex(SPREAD[size as usize], true, to, 0, from);
     }
 
-    fn whole(&mut self, code: Code, register: u8, place: Operand) {
-        match self.lanes {
-            Lanes::Eight => self.evex(code, register, 0, place, 0),
-            _ => self.vex(code, true, register, 0, place),
-        }
+    /// The words of a vector, but for the halves of lanes that a byte names.
+    pub(crate) fn blend(&mut self, to: u8, from: u8, others: Operand, halves: u8) {
+        self.vex(BLEND, true, to, from, others);
+        self.bytes.push(halves);
     }
 
     /// The words of the lanes alone.
@@ -258,16 +261,13 @@ impl Assembler {
     }
 
     /// Jumps if the top bit is 0 in every lane; gives the byte behind the jump.
-    pub(crate) fn jump_unless(&mut self, which: u8) -> usize {
-        if self.lanes == Lanes::Eight {
-            self.evex(TO_MASK, 0, 0, Operand::Register(which), 0);
-            // Whether that mask is zero.
-            self.bytes.extend([0xc5, 0xf9, 0x98, 0xc0]);
-        } else {
-            self.vector(TOP_BITS, 0, 0, Operand::Register(which));
-            let lanes = (1u8 << self.lanes.count()) - 1;
-            self.bytes.extend([0xa8, lanes]);
-        }
+    pub(crate) fn jump_unless(&mut self, size: Size, which: u8) -> usize {
+        self.vector(TOP_BITS[size as usize], 0, 0, Operand::Register(which));
+        let lanes = match size {
+            Size::Half => u8::MAX,
+            Size::Whole => (1 << self.lanes.count()) - 1,
+        };
+        self.bytes.extend([0xa8, lanes]);
         self.general([0x0f, 0x84], 0);
         self.bytes.len()
     }
@@ -280,12 +280,11 @@ impl Assembler {
 
     /// The addresses of the rows, from where they lie side by side (r8): the first comes last in its place.
     pub(crate) fn begin(&mut self) {
-        let rows = if self.shares_inputs {
-            1
-        } else {
-            self.lanes.count()
-        };
-        for lane in (0..rows as u8).rev() {
+        if self.rows > 1 {
+            self.bytes
+                .extend(KEPT.map(|push| [0x41, push]).as_flattened());
+        }
+        for lane in (0..self.rows as u8).rev() {
             self.bytes.extend([0x4d, 0x8b, 0x40 | lane << 3, 8 * lane]);
         }
     }
@@ -294,6 +293,11 @@ impl Assembler {
     pub(crate) fn end(&mut self, is_outer: bool) {
         if is_outer {
             self.bytes.extend([0xc5, 0xf8, 0x77]);
+        }
+        if self.rows > 1 {
+            let pops = KEPT.map(|push| push + 8);
+            self.bytes
+                .extend(pops.iter().rev().flat_map(|pop| [0x41, *pop]));
         }
         self.bytes.push(0xc3);
     }

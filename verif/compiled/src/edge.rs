@@ -6,6 +6,7 @@
 use crate::body::{Body, Place};
 use crate::layout::Lanes;
 use crate::line::{Step, Two, Value};
+use crate::size::Size;
 use imogene_hdl::{Binary, Direction, Module, Net, Op};
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
@@ -73,7 +74,10 @@ impl Body<'_> {
     fn hand_inputs(&mut self, part: usize) {
         for input in 0..self.inputs(part) {
             let value = self.input(part, input);
-            let place = self.at(part, input);
+            let place = self.at(
+                part,
+                self.layout.block(self.scopes[part].module).input(input),
+            );
             self.to.add(Step::Store(value, place));
         }
     }
@@ -226,10 +230,11 @@ impl Body<'_> {
         // What was read before is wanted later.
         self.word((scope, memory.net));
         let [enable, at, data] = memory.write;
-        let [address, at, data] = [memory.address, at, data].map(|net| self.zeros((scope, net)));
+        let [address, at, data] =
+            [memory.address, at, data].map(|net| self.zeros_to((scope, net), Size::Whole));
         let enable = self.high((scope, enable));
-        let words = self.to.constant(memory.words as u64);
-        let nowhere = self.to.constant(memory.words as u64 + 1);
+        let [words, nowhere] = [memory.words, memory.words + 1]
+            .map(|count| self.to.constant(Size::Whole, count as u64));
         let read_at = self.index_or(address, words, words);
         let write_at = self.index_or(at, words, nowhere);
         let write_at = self.to.select(enable, write_at, nowhere);

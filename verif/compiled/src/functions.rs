@@ -3,7 +3,9 @@
 use crate::body::Body;
 use crate::layout::{Lanes, Layout};
 use crate::line::{Line, Step};
-use imogene_hdl::{Design, Module};
+use crate::size::Size;
+use crate::split::split;
+use imogene_hdl::{Design, Direction, Module};
 use std::collections::HashMap;
 use std::sync::Arc;
 
@@ -17,7 +19,7 @@ pub(crate) enum Task {
 
 pub(crate) const TASKS: usize = 3;
 
-/// What is done in which lanes.
+/// What is done in which lanes; eight are vectors of four.
 pub(crate) struct Function {
     pub(crate) line: Line,
     pub(crate) lanes: Lanes,
@@ -28,6 +30,7 @@ pub(crate) fn functions(
     design: &Design,
     layout: &Layout,
     lanes: Lanes,
+    shares_inputs: bool,
     read: [&[String]; 2],
 ) -> Vec<Function> {
     let modules = design.top.all();
@@ -38,21 +41,25 @@ pub(crate) fn functions(
         .enumerate()
         .map(|(index, module)| (Arc::as_ptr(module), index))
         .collect();
+    let inputs = design.top.ports_of(Direction::In).count();
+    let inputs = (!shares_inputs).then_some(inputs);
+    let function = |line, lanes| match lanes {
+        Lanes::Eight => Function {
+            line: split(&line, inputs),
+            lanes: Lanes::Four,
+        },
+        lanes => Function { line, lanes },
+    };
     let clock = |module, lanes| {
         let mut body = Body::new(layout, module, lanes);
         body.update(&|part: &Arc<Module>| number[&Arc::as_ptr(part)]);
-        Function {
-            line: body.to,
-            lanes,
-        }
+        function(body.to, lanes)
     };
     let of_parts = called.iter().map(|module| clock(module, lanes.of_called()));
     let mut functions: Vec<Function> = of_parts.collect();
     functions.push(clock(&design.top, lanes));
-    functions.extend(read.map(|paths| Function {
-        line: reading(&design.top, layout, lanes, paths),
-        lanes,
-    }));
+    let reading = |paths| function(reading(&design.top, layout, lanes, paths), lanes);
+    functions.extend(read.map(reading));
     functions
 }
 
@@ -62,8 +69,8 @@ fn reading(top: &Arc<Module>, layout: &Layout, lanes: Lanes, paths: &[String]) -
     for (index, path) in paths.iter().enumerate() {
         let place = body.find(path);
         let place = place.unwrap_or_else(|| panic!("no point `{path}`"));
-        let value = body.zeros(place);
-        body.to.add(Step::Give(value, index));
+        let value = body.zeros_to(place, Size::Whole);
+        body.to.add(Step::Give(value, index * lanes.count()));
     }
     body.to
 }

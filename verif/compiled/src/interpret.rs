@@ -3,6 +3,7 @@
 use crate::functions::Function;
 use crate::layout::MOST_LANES;
 use crate::line::{Step, Value};
+use crate::size::blended;
 
 /// What a function works on.
 pub(crate) struct Work<'a> {
@@ -17,19 +18,22 @@ pub(crate) fn run(functions: &[Function], index: usize, begin: usize, work: &mut
     let function = &functions[index];
     let steps = &function.line.steps;
     let of_four = function.line.of_four();
-    let mut values: Vec<[u64; MOST_LANES]> = Vec::with_capacity(steps.len());
+    let mut values: Vec<[u64; 4]> = Vec::with_capacity(steps.len());
     while let Some(step) = steps.get(values.len()) {
         let lanes = match of_four[values.len()] {
             true => 4,
             false => function.lanes.count(),
         };
-        let top = |value: Value| values[value.0 as usize][..lanes].iter().max();
+        let is_zero = |value: Value| {
+            let words = &values[value.0 as usize][..lanes];
+            words.iter().all(|words| value.1.tops(*words) == 0)
+        };
         match *step {
-            Step::OnlyIf(which, end) if top(which).is_some_and(|word| word >> 63 == 0) => {
+            Step::OnlyIf(which, end) if is_zero(which) => {
                 // Of what is left out only constants are read behind it.
                 values.extend(steps[values.len()..end].iter().map(|step| match step {
-                    Step::Constant(words) => in_lanes(*words),
-                    _ => [0; MOST_LANES],
+                    Step::Constant(_, words) => *words,
+                    _ => [0; 4],
                 }));
             }
             _ => values.push(run_step(step, &values, begin, lanes, work)),
@@ -42,43 +46,48 @@ pub(crate) fn run(functions: &[Function], index: usize, begin: usize, work: &mut
     }
 }
 
-/// A constant in every lane; in more than four it is the same in each.
-fn in_lanes(words: [u64; 4]) -> [u64; MOST_LANES] {
-    std::array::from_fn(|lane| words[lane % 4])
-}
-
 fn run_step(
     step: &Step,
-    values: &[[u64; MOST_LANES]],
+    values: &[[u64; 4]],
     begin: usize,
     lanes: usize,
     work: &mut Work<'_>,
-) -> [u64; MOST_LANES] {
-    if let Step::Constant(words) = *step {
-        return in_lanes(words);
+) -> [u64; 4] {
+    match *step {
+        Step::Constant(_, words) => return words,
+        Step::Shuffle(how, a, b) => return how.of(values[a.0 as usize], values[b.0 as usize]),
+        _ => {}
     }
-    let mut result = [0; MOST_LANES];
+    let mut result = [0; 4];
     for (lane, result) in result.iter_mut().enumerate().take(lanes) {
         let get = |value: Value| values[value.0 as usize][lane];
         let first = |value: Value| values[value.0 as usize][0];
         let begin = begin + lane;
         let words = &mut *work.words;
         match *step {
-            Step::Load(place) | Step::LoadFour(place) => *result = words[begin + place],
-            Step::Input(index) => *result = work.rows[lane][index] as u64,
+            Step::Load(_, place) | Step::LoadFour(place) => *result = words[begin + place],
+            Step::Input(size, index) => *result = size.in_each(work.rows[0][index] as u64),
+            Step::Row(row, first, count) if lane < count => {
+                *result = work.rows[row][first + lane] as u64;
+            }
             Step::Gather(lanes) => *result = first(lanes[lane]),
             Step::Patch(word, _) if lane == 0 => *result = first(word),
             Step::Patch(_, others) => *result = get(others),
-            Step::Two(how, a, b) => *result = how.of(get(a), get(b)),
-            Step::Left(a, count) => *result = get(a) << count,
-            Step::Right(a, count) => *result = get(a) >> count,
-            Step::Select(which, a, _) if get(which) >> 63 == 1 => *result = get(a),
-            Step::Select(_, _, b) => *result = get(b),
+            Step::Blend(low, high) => *result = blended(get(low), get(high)),
+            Step::Two(how, a, b) => *result = how.of(a.1, get(a), get(b)),
+            Step::Left(a, count) => *result = a.1.left(get(a), count),
+            Step::Right(a, count) => *result = a.1.right(get(a), count),
+            Step::Select(which, a, b) => {
+                let tops = which.1.tops(get(which));
+                *result = get(a) & tops | get(b) & !tops;
+            }
             Step::Read(place, at) => *result = words[begin + place + get(at) as usize],
             Step::Store(value, place) => words[begin + place] = get(value),
             Step::Write(place, at, value) => words[begin + place + get(at) as usize] = get(value),
-            Step::Give(value, place) => work.given[place * lanes + lane] = get(value),
-            Step::Constant(_) | Step::OnlyIf(..) | Step::Call(..) => {}
+            Step::Give(value, place) => work.given[place + lane] = get(value),
+            Step::Widen(..) | Step::Narrow(..) => unreachable!("it was split"),
+            Step::Constant(..) | Step::Shuffle(..) | Step::Row(..) => {}
+            Step::OnlyIf(..) | Step::Call(..) => {}
         }
     }
     result

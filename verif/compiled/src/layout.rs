@@ -1,10 +1,11 @@
 //! Where the state of a design lies: a block of words for each instance, the blocks of its parts within it.
 //!
-//! The inputs of the whole lie elsewhere, those of each lane in a row. In four or eight lanes each word lies as often,
-//! side by side. Equal parts of what runs in one lane lie so, as many as there are, but for four at most: they run
+//! The inputs of the whole lie elsewhere, those of each lane in a row. In four lanes each word lies as often, side by
+//! side; in eight lanes too, or in pairs of half words. Equal parts of what runs in one lane lie so, as many as there are, but for four at most: they run
 //! together. So do the small ones that stand in one module, as the rows of a root do: word by word those of all rows,
 //! so that what each row takes from the one before lies side by side too.
 
+use crate::size::{Size, blended};
 use crate::word::kept;
 use imogene_hdl::{Design, Direction, Module};
 use std::collections::HashMap;
@@ -17,8 +18,9 @@ const SMALL: usize = 60;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Lanes {
     One,
+    /// Of parts of what runs in one lane.
     Four,
-    /// Of a whole program alone, where the processor has vectors of 512 bits.
+    /// Of a whole program: vectors of four words, two for each net of more than 32 bits and one for every other.
     Eight,
 }
 
@@ -33,11 +35,19 @@ impl Lanes {
         }
     }
 
-    /// How many words a constant has: in eight lanes it is the same in all.
-    pub(crate) fn words_of_constant(self) -> usize {
+    /// How many words of 64 bits a vector has.
+    pub(crate) const fn in_vector(self) -> usize {
         match self {
-            Lanes::Eight => 1,
-            _ => 4,
+            Lanes::One => 1,
+            Lanes::Four | Lanes::Eight => 4,
+        }
+    }
+
+    /// How many vectors a net with so many bits has.
+    fn vectors(self, width: u32) -> usize {
+        match (self, Size::of(width, self)) {
+            (Lanes::Eight, Size::Whole) => 2,
+            _ => 1,
         }
     }
 
@@ -50,10 +60,11 @@ impl Lanes {
     }
 }
 
-/// The block of a module, in words of one lane from its beginning.
+/// The block of a module, in vectors from its beginning.
 pub(crate) struct Block {
     /// Inputs lie in front, in their order, and registers behind them.
-    inputs: usize,
+    inputs: Vec<usize>,
+    registers: Vec<usize>,
     /// Of each memory the word that is read; its words lie behind, then one that is always 0 and one for writes that
     /// count nothing.
     pub(crate) memories: Vec<usize>,
@@ -67,8 +78,12 @@ pub(crate) struct Block {
 }
 
 impl Block {
+    pub(crate) fn input(&self, index: usize) -> usize {
+        self.inputs[index]
+    }
+
     pub(crate) fn register(&self, index: usize) -> usize {
-        self.inputs + index
+        self.registers[index]
     }
 }
 
@@ -114,11 +129,11 @@ impl Layout {
         };
         for module in &modules {
             let is_shared = count[&Arc::as_ptr(module)] > 1;
-            let block = layout.new_block(module, is_shared);
+            let block = layout.new_block(module, is_shared, lanes);
             layout.blocks.insert(Arc::as_ptr(module), block);
         }
         let sizes = layout.block(&design.top).sizes;
-        layout.size = sizes[usize::from(lanes != Lanes::One)] * lanes.count();
+        layout.size = sizes[usize::from(lanes != Lanes::One)] * lanes.in_vector();
         if lanes == Lanes::One {
             layout.group(&design.top, 0);
             // Rows are read four at a time, perhaps with words behind them.
@@ -127,16 +142,24 @@ impl Layout {
         layout
     }
 
-    fn new_block(&self, module: &Module, is_shared: bool) -> Block {
-        let inputs = module.ports_of(Direction::In).count();
-        // Never empty: no two parts are at one place.
-        let mut size = (inputs + module.registers.len()).max(1);
-        let take = |size: &mut usize, words: usize| {
-            *size += words;
-            *size - words
+    fn new_block(&self, module: &Module, is_shared: bool, lanes: Lanes) -> Block {
+        let mut size = 0;
+        let take = |size: &mut usize, vectors: usize| {
+            *size += vectors;
+            *size - vectors
         };
+        let inputs = module.ports_of(Direction::In);
+        let inputs = inputs.map(|port| take(&mut size, lanes.vectors(port.width)));
+        let inputs = inputs.collect();
+        let registers = module.registers.iter();
+        let widths = registers.map(|register| module.node(register.net).width);
+        let registers = widths.map(|width| take(&mut size, lanes.vectors(width)));
+        let registers = registers.collect();
+        // Never empty: no two parts are at one place.
+        size = size.max(1);
+        let of_word = lanes.vectors(Size::Whole.bits());
         let memories = module.memories.iter();
-        let memories = memories.map(|memory| take(&mut size, memory.words + 3));
+        let memories = memories.map(|memory| take(&mut size, (memory.words + 3) * of_word));
         let memories = memories.collect();
         let (mut sizes, mut nets) = ([size; 2], module.nodes.len());
         let mut parts = [vec![], vec![]];
@@ -149,6 +172,7 @@ impl Layout {
         }
         Block {
             inputs,
+            registers,
             memories,
             parts,
             sizes,
@@ -259,6 +283,7 @@ impl Layout {
                 let width = module.node(register.net).width;
                 Register {
                     place: spot.place + block.register(index) * spot.stride,
+                    size: Size::of(width, lanes),
                     width,
                     initial: kept(register.initial, width),
                 }
@@ -273,7 +298,9 @@ impl Layout {
         self.visit(top, whole(lanes), &mut |module, spot| {
             for (memory, place) in module.memories.iter().zip(&self.block(module).memories) {
                 // What was read last stands before the words.
-                let words = memory.contents.iter().zip(place + 1..);
+                let of_word = lanes.vectors(Size::Whole.bits());
+                let places = (place + of_word..).step_by(of_word);
+                let words = memory.contents.iter().zip(places);
                 found.extend(words.map(|(word, place)| (spot.place + place * spot.stride, *word)));
             }
         });
@@ -291,15 +318,33 @@ impl Layout {
 
 /// Where the whole lies.
 pub(crate) fn whole(lanes: Lanes) -> Spot {
-    let stride = lanes.count();
+    let stride = lanes.in_vector();
     Spot { place: 0, stride }
 }
 
 /// A register in the words of a design, in its first lane.
 pub(crate) struct Register {
     pub(crate) place: usize,
+    pub(crate) size: Size,
     pub(crate) width: u32,
     pub(crate) initial: u64,
+}
+
+impl Register {
+    /// Gives it another word in a lane, of which the low bits count.
+    pub(crate) fn set(&self, words: &mut [u64], lane: usize, word: u64) {
+        let (place, word) = (self.place, kept(word, self.width));
+        match self.size {
+            Size::Whole => words[place + lane] = word,
+            Size::Half => {
+                let words = &mut words[place + lane % 4];
+                *words = match lane < 4 {
+                    true => blended(word, *words),
+                    false => blended(*words, word << 32),
+                };
+            }
+        }
+    }
 }
 
 /// Parts for four lanes, the last of three in two of them: fewer are no faster so.

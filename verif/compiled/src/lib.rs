@@ -4,9 +4,9 @@
 //! become part of what is around them. A clock is one call. What a port gives is computed when it is asked for, from
 //! what the registers hold.
 //!
-//! The code is vectors of AVX2 with a word in each of four lanes. Equal parts of a design share a vector; a program
-//! [in lanes](Program::in_lanes) is four runs of the whole; [on one stimulus](Program::on_one_stimulus) it is eight
-//! where the processor has AVX-512. A processor without AVX2 interprets the same steps.
+//! The code is vectors of AVX2. Equal parts of a design share a vector of four words; a program
+//! [in lanes](Program::in_lanes) is eight runs of the whole, with eight words of 32 bits in a vector, or four of 64 in
+//! each of two. A processor without AVX2 interprets the same steps.
 //!
 //! ```
 //! use imogene_compiled::{Simulation, Program};
@@ -38,6 +38,8 @@ mod machine;
 mod operations;
 mod program;
 mod registers;
+mod size;
+mod split;
 mod word;
 mod words;
 
@@ -47,7 +49,6 @@ use functions::Task;
 use interpret::Work;
 use layout::MOST_LANES;
 use std::sync::Arc;
-use word::kept;
 use words::Words;
 
 /// An instance of a design that runs clock by clock; in lanes it is as many of them.
@@ -105,8 +106,7 @@ impl Simulation {
     /// the instances in a module, then its own. Bits beyond its width count nothing.
     /// Panics if there is no such register.
     pub fn upset(&mut self, lane: usize, register: usize, word: u64) {
-        let register = &self.program.registers[register];
-        self.words[register.place + lane] = kept(word, register.width);
+        self.program.registers[register].set(&mut self.words, lane, word);
         self.is_read = [false; 2];
     }
 
@@ -156,9 +156,8 @@ impl Simulation {
 
     /// With these inputs, or those that were set.
     fn run(&mut self, task: Task, rows: Option<&[&[i64]; MOST_LANES]>) {
-        let inputs = self.program.inputs;
-        let last = self.program.rows - 1;
-        let own = |lane: usize| &self.rows[lane.min(last) * inputs..][..inputs];
+        let (inputs, count) = (self.program.inputs, self.program.rows);
+        let own = |lane: usize| &self.rows[lane.min(count - 1) * inputs..][..inputs];
         let mut work = Work {
             words: &mut self.words,
             given: &mut self.given[usize::from(task == Task::Points)],
@@ -168,7 +167,8 @@ impl Simulation {
             },
         };
         let is_whole = |row: &&[i64]| row.len() == inputs;
-        assert!(work.rows.iter().all(is_whole), "a word for each input");
+        let are_whole = work.rows[..count].iter().all(is_whole);
+        assert!(are_whole, "a word for each input");
         self.program.run(task, &mut work, &mut self.spilled);
     }
 }

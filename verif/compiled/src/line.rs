@@ -2,15 +2,23 @@
 //!
 //! Every lane does the same. A value is the number of the step that computes it.
 
+use crate::size::Size;
 use std::collections::{HashMap, HashSet};
 
 const ONES: u64 = u64::MAX;
 
 /// The word that a step computes, in each lane.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) struct Value(pub(crate) u32);
+pub(crate) struct Value(pub(crate) u32, pub(crate) Size);
 
-/// An operation on two words of 64 bits.
+impl Value {
+    /// The same vector with words of another size in it.
+    pub(crate) fn read_as(self, size: Size) -> Value {
+        Value(self.0, size)
+    }
+}
+
+/// An operation on two words of one size.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Two {
     Add,
@@ -24,18 +32,25 @@ pub(crate) enum Two {
     Equal,
     /// All ones where the first is greater as a number, else zero.
     Greater,
-    /// By a count that may be anything; zero from 64 on.
+    /// By a count that may be anything; zero where nothing stays.
     LeftBy,
     /// As above, with zeros from the left.
     RightBy,
-    /// Of the low 32 bits of each.
+    /// Of the low 32 bits of each; of half words half a product.
     Product,
-    /// Of the low 32 bits of each, as numbers.
+    /// The same as numbers.
     SignedProduct,
 }
 
 impl Two {
-    pub(crate) fn of(self, a: u64, b: u64) -> u64 {
+    pub(crate) fn of(self, size: Size, a: u64, b: u64) -> u64 {
+        size.apply([a, b], |words| match self {
+            Two::Greater => self.of_words(words.map(|word| size.signed(word))),
+            _ => self.of_words(words),
+        })
+    }
+
+    fn of_words(self, [a, b]: [u64; 2]) -> u64 {
         let mask = |is_so: bool| if is_so { ONES } else { 0 };
         let by = |count: u64| u32::try_from(count).unwrap_or(u32::MAX);
         match self {
@@ -61,20 +76,61 @@ impl Two {
     }
 }
 
-/// A step. Places are counted in words from the beginning of a block, of memories by their first word.
+/// Words of two vectors in one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Shuffle {
+    /// The first and the third of each, in turn.
+    Even,
+    /// The others, likewise.
+    Odd,
+    /// The first two of each.
+    Front,
+    /// The last two of each.
+    Back,
+}
+
+impl Shuffle {
+    pub(crate) fn of(self, a: [u64; 4], b: [u64; 4]) -> [u64; 4] {
+        match self {
+            Shuffle::Even => [a[0], b[0], a[2], b[2]],
+            Shuffle::Odd => [a[1], b[1], a[3], b[3]],
+            Shuffle::Front => [a[0], a[1], b[0], b[1]],
+            Shuffle::Back => [a[2], a[3], b[2], b[3]],
+        }
+    }
+}
+
+/// What stands above a half word where it becomes a whole one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Above {
+    Anything,
+    Zeros,
+    Signs,
+}
+
+/// A step. Places are counted in words of 64 bits from the beginning of a block, of memories by their first word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Step {
     /// A word for each lane.
-    Constant([u64; 4]),
-    Load(usize),
-    /// An input of the whole, in the row of each lane.
-    Input(usize),
+    Constant(Size, [u64; 4]),
+    Load(Size, usize),
+    /// An input of the whole, the same in each lane.
+    Input(Size, usize),
+    /// In the row of a lane four inputs from one on, or as many as there are.
+    Row(usize, usize, usize),
     /// Four words that lie side by side, where everything else has one lane.
     LoadFour(usize),
     /// Words of one lane side by side.
     Gather([Value; 4]),
     /// Four words, the first lane of which is another word of one lane.
     Patch(Value, Value),
+    /// A half word as a whole one.
+    Widen(Value, Above),
+    /// The 32 bits of a whole word from one on.
+    Narrow(Value, u32),
+    /// The low half words of one vector, the high ones of another.
+    Blend(Value, Value),
+    Shuffle(Shuffle, Value, Value),
     Two(Two, Value, Value),
     Left(Value, u32),
     Right(Value, u32),
@@ -85,7 +141,7 @@ pub(crate) enum Step {
     Store(Value, usize),
     /// To a memory: index and word.
     Write(usize, Value, Value),
-    /// To the words that are given to the caller.
+    /// To the words that are given to the caller, at this one.
     Give(Value, usize),
     /// The steps before this one are done only if the top bit of a word is 1 in some lane. Of what they compute only
     /// constants are read behind them.
@@ -98,14 +154,27 @@ impl Step {
     pub(crate) fn reads(&self) -> impl Iterator<Item = Value> {
         use Step::*;
         let reads = match *self {
-            Constant(_) | Load(_) | Input(_) | LoadFour(_) | Call(..) => [None; 4],
+            Constant(..) | Load(..) | LoadFour(_) | Input(..) | Row(..) | Call(..) => [None; 4],
             Left(a, _) | Right(a, _) | Read(_, a) => [Some(a), None, None, None],
+            Widen(a, _) | Narrow(a, _) => [Some(a), None, None, None],
             Store(a, _) | Give(a, _) | OnlyIf(a, _) => [Some(a), None, None, None],
-            Two(_, a, b) | Write(_, a, b) | Patch(a, b) => [Some(a), Some(b), None, None],
+            Two(_, a, b) | Write(_, a, b) => [Some(a), Some(b), None, None],
+            Patch(a, b) | Blend(a, b) | Shuffle(_, a, b) => [Some(a), Some(b), None, None],
             Select(a, b, c) => [Some(a), Some(b), Some(c), None],
             Gather(lanes) => lanes.map(Some),
         };
         reads.into_iter().flatten()
+    }
+
+    /// Of what it computes.
+    pub(crate) fn size(&self) -> Size {
+        use Step::*;
+        match self {
+            Constant(size, _) | Load(size, _) | Input(size, ..) => *size,
+            Two(_, a, _) | Left(a, _) | Right(a, _) | Select(_, a, _) => a.1,
+            Narrow(..) | Blend(..) => Size::Half,
+            _ => Size::Whole,
+        }
     }
 
     /// It is there for its value alone.
@@ -130,16 +199,17 @@ pub(crate) struct Line {
 impl Line {
     pub(crate) fn add(&mut self, step: Step) -> Value {
         self.steps.push(step);
-        Value(self.steps.len() as u32 - 1)
+        Value(self.steps.len() as u32 - 1, step.size())
     }
 
     /// A step that follows from what it reads alone.
-    fn once(&mut self, step: Step) -> Value {
+    pub(crate) fn once(&mut self, step: Step) -> Value {
         if let Some(known) = self.known.get(&step) {
             return *known;
         }
         let is_mask = match step {
-            Step::Constant(words) => words.iter().all(|word| matches!(*word, 0 | ONES)),
+            Step::Constant(_, words) => words.iter().all(|word| matches!(*word, 0 | ONES)),
+            Step::Widen(a, Above::Signs) | Step::Narrow(a, 0) => self.is_mask(a),
             Step::Gather(lanes) => lanes.iter().all(|lane| self.is_mask(*lane)),
             Step::Patch(a, b) => self.is_mask(a) && self.is_mask(b),
             Step::Two(how, a, b) => match how {
@@ -165,7 +235,7 @@ impl Line {
     /// Steps from this one on may not have been done: only constants among them may be read.
     pub(crate) fn forget_from(&mut self, begin: usize) {
         let is_kept = |step: &Step, value: &Value| {
-            matches!(step, Step::Constant(_)) || (value.0 as usize) < begin
+            matches!(step, Step::Constant(..)) || (value.0 as usize) < begin
         };
         self.known.retain(|step, value| is_kept(step, value));
     }
@@ -176,7 +246,7 @@ impl Line {
 
     fn as_constants(&self, value: Value) -> Option<[u64; 4]> {
         match self.step(value) {
-            Step::Constant(words) => Some(words),
+            Step::Constant(_, words) => Some(words),
             _ => None,
         }
     }
@@ -187,12 +257,25 @@ impl Line {
         (words == [words[0]; 4]).then_some(words[0])
     }
 
-    fn constants(&mut self, words: [u64; 4]) -> Value {
-        self.once(Step::Constant(words))
+    fn constants(&mut self, size: Size, words: [u64; 4]) -> Value {
+        self.once(Step::Constant(size, words))
     }
 
-    pub(crate) fn constant(&mut self, word: u64) -> Value {
-        self.constants([word; 4])
+    pub(crate) fn constant(&mut self, size: Size, word: u64) -> Value {
+        self.constants(size, [size.in_each(word); 4])
+    }
+
+    /// A half word as a whole one, or a whole one as it is.
+    pub(crate) fn widened(&mut self, value: Value, above: Above) -> Value {
+        match value.1 {
+            Size::Half => self.once(Step::Widen(value, above)),
+            Size::Whole => value,
+        }
+    }
+
+    /// The 32 bits of a whole word from one on.
+    pub(crate) fn narrowed(&mut self, value: Value, low: u32) -> Value {
+        self.once(Step::Narrow(value, low))
     }
 
     /// Words of the block that are all ones or zero.
@@ -206,7 +289,7 @@ impl Line {
     pub(crate) fn gather(&mut self, lanes: [Value; 4]) -> Value {
         let constants = lanes.map(|lane| self.as_constant(lane));
         match constants {
-            [Some(a), Some(b), Some(c), Some(d)] => self.constants([a, b, c, d]),
+            [Some(a), Some(b), Some(c), Some(d)] => self.constants(Size::Whole, [a, b, c, d]),
             _ => self.once(Step::Gather(lanes)),
         }
     }
@@ -224,13 +307,18 @@ impl Line {
         self.once(Step::Patch(first, others))
     }
 
+    pub(crate) fn reads_inputs(&self) -> bool {
+        let is_input = |step: &Step| matches!(step, Step::Input(..) | Step::Row(..));
+        self.steps.iter().any(is_input)
+    }
+
     /// What is of four lanes where all else is of one.
     pub(crate) fn of_four(&self) -> Vec<bool> {
         let mut found: Vec<bool> = vec![];
         for step in &self.steps {
             found.push(match step {
                 Step::LoadFour(_) | Step::Gather(_) | Step::Patch(..) => true,
-                Step::Constant(words) => *words != [words[0]; 4],
+                Step::Constant(_, words) => *words != [words[0]; 4],
                 _ => step.reads().any(|value| found[value.0 as usize]),
             });
         }
@@ -246,13 +334,18 @@ impl Line {
     }
 
     pub(crate) fn two(&mut self, how: Two, a: Value, b: Value) -> Value {
+        let size = a.1;
+        assert_eq!(size, b.1, "words of one size");
         // A constant stands second.
         let (a, b) = match self.as_constant(a) {
             Some(_) if how.commutes() => (b, a),
             _ => (a, b),
         };
         if let (Some(a), Some(b)) = (self.as_constants(a), self.as_constants(b)) {
-            return self.constants([0, 1, 2, 3].map(|lane| how.of(a[lane], b[lane])));
+            return self.constants(
+                size,
+                [0, 1, 2, 3].map(|lane| how.of(size, a[lane], b[lane])),
+            );
         }
         match (self.as_constant(a), self.as_constant(b)) {
             (_, Some(0)) => match how {
@@ -271,7 +364,7 @@ impl Line {
                 if let Step::Two(Two::And, a, inner) = self.step(a)
                     && let Some(inner) = self.as_constant(inner)
                 {
-                    let mask = self.constant(mask & inner);
+                    let mask = self.constants(size, [mask & inner; 4]);
                     return self.two(Two::And, a, mask);
                 }
             }
@@ -288,15 +381,17 @@ impl Line {
     }
 
     pub(crate) fn left(&mut self, value: Value, count: u32) -> Value {
+        let size = value.1;
+        let shifted = |word: u64| size.left(word, count);
         match self.step(value) {
             _ if count == 0 => value,
-            Step::Constant(words) => self.constants(words.map(|word| word << count)),
-            Step::Left(inner, more) if count + more < 64 => self.left(inner, count + more),
+            Step::Constant(_, words) => self.constants(size, words.map(shifted)),
+            Step::Left(inner, more) if count + more < size.bits() => self.left(inner, count + more),
             // A mask of bits that are shifted out.
             Step::Two(Two::And, inner, mask)
                 if self
                     .as_constant(mask)
-                    .is_some_and(|mask| mask << count == ONES << count) =>
+                    .is_some_and(|mask| shifted(mask) == shifted(ONES)) =>
             {
                 self.left(inner, count)
             }
@@ -309,15 +404,20 @@ impl Line {
         if counts == [counts[0]; 4] {
             return self.left(value, counts[0]);
         }
-        let counts = self.constants(counts.map(u64::from));
+        let counts = self.constants(value.1, counts.map(u64::from));
         self.two(Two::LeftBy, value, counts)
     }
 
     pub(crate) fn right(&mut self, value: Value, count: u32) -> Value {
+        let size = value.1;
         match self.step(value) {
             _ if count == 0 => value,
-            Step::Constant(words) => self.constants(words.map(|word| word >> count)),
-            Step::Right(inner, more) if count + more < 64 => self.right(inner, count + more),
+            Step::Constant(_, words) => {
+                self.constants(size, words.map(|word| size.right(word, count)))
+            }
+            Step::Right(inner, more) if count + more < size.bits() => {
+                self.right(inner, count + more)
+            }
             _ => self.once(Step::Right(value, count)),
         }
     }
@@ -331,8 +431,8 @@ impl Line {
             return self.select(inverse, or, then);
         }
         match self.step(which) {
-            Step::Constant(words) if words.iter().all(|word| word >> 63 == 1) => return then,
-            Step::Constant(words) if words.iter().all(|word| word >> 63 == 0) => return or,
+            Step::Constant(_, words) if words.iter().all(|word| word >> 63 == 1) => return then,
+            Step::Constant(_, words) if words.iter().all(|word| word >> 63 == 0) => return or,
             // The sign of a number is its top bit.
             Step::Two(Two::Greater, zero, number) if self.as_constant(zero) == Some(0) => {
                 return self.select(number, then, or);
@@ -341,9 +441,11 @@ impl Line {
             Step::Two(Two::Equal, bits, zero) if self.as_constant(zero) == Some(0) => {
                 if let Step::Two(Two::And, word, bit) = self.step(bits)
                     && let Some(bits) = self.as_constants(bit)
+                    && let bits = bits.map(|bit| word.1.first(bit))
                     && bits.iter().all(|bit| bit.is_power_of_two())
                 {
-                    let top = self.left_each(word, bits.map(u64::leading_zeros));
+                    let top = word.1.bits() - 1;
+                    let top = self.left_each(word, bits.map(|bit| top - bit.ilog2()));
                     return self.select(top, or, then);
                 }
             }
@@ -351,7 +453,7 @@ impl Line {
         }
         let [zero, ones] =
             [0, ONES].map(|word| [then, or].map(|v| self.as_constant(v) == Some(word)));
-        match (self.is_mask(which), zero, ones) {
+        match (self.is_mask(which) && which.1 == then.1, zero, ones) {
             (true, [_, true], _) => self.two(Two::And, which, then),
             (true, [true, _], _) => self.two(Two::AndNot, which, or),
             (true, _, [true, _]) => self.two(Two::Or, which, or),
@@ -361,7 +463,7 @@ impl Line {
 
     /// All ones where the number is negative, else zero.
     pub(crate) fn sign(&mut self, value: Value) -> Value {
-        let zero = self.constant(0);
+        let zero = self.constant(value.1, 0);
         self.two(Two::Greater, zero, value)
     }
 }

@@ -3,7 +3,6 @@
 use crate::assemble::Assembler;
 use crate::functions::{Function, TASKS};
 use crate::interpret::Work;
-use crate::layout::Lanes;
 use crate::registers::{self, Constants};
 use crate::words::Words;
 use memmap2::{Mmap, MmapMut};
@@ -23,29 +22,26 @@ pub(crate) struct Machine {
 
 impl Machine {
     /// Nothing where the processor has no AVX2.
-    pub(crate) fn of(functions: &[Function], lanes: Lanes, shares_inputs: bool) -> Option<Machine> {
-        let Abilities {
-            has_256_bits: true,
-            has_masks,
-            ..
-        } = abilities()
-        else {
+    pub(crate) fn of(functions: &[Function], rows: usize) -> Option<Machine> {
+        if !has_vectors() {
             return None;
-        };
+        }
         let (mut begins, mut constants, mut spilled) = (vec![], Constants::default(), 0);
         let mut bytes = vec![];
         for (index, function) in functions.iter().enumerate() {
             let mut to = Assembler {
                 bytes,
                 lanes: function.lanes,
-                has_masks,
-                shares_inputs,
+                has_masks: has_masks(),
+                rows: if function.line.reads_inputs() {
+                    rows
+                } else {
+                    0
+                },
             };
             let begin = to.bytes.len();
             let is_outer = index + TASKS >= functions.len();
-            if is_outer {
-                to.begin();
-            }
+            to.begin();
             let more = registers::write(&function.line, &mut to, &mut constants, &begins);
             spilled = spilled.max(more);
             to.end(is_outer);
@@ -54,13 +50,9 @@ impl Machine {
         }
         let mut code = MmapMut::map_anon(bytes.len()).ok()?;
         code.copy_from_slice(&bytes);
-        let constants = constants
-            .words
-            .iter()
-            .flat_map(|all| &all[..lanes.words_of_constant()]);
-        let constants: Vec<u64> = constants.copied().collect();
+        let constants = constants.words.as_flattened();
         let mut words = Words::new(constants.len());
-        words.copy_from_slice(&constants);
+        words.copy_from_slice(constants);
         Some(Machine {
             code: code.make_exec().ok()?,
             begins,
@@ -95,27 +87,21 @@ impl Machine {
     }
 }
 
-/// What the processor has: vectors of AVX2, the masks of AVX-512, and its vectors.
-#[derive(Clone, Copy, Default)]
-pub(crate) struct Abilities {
-    pub(crate) has_256_bits: bool,
-    pub(crate) has_masks: bool,
-    pub(crate) has_512_bits: bool,
+/// Has the processor AVX2?
+fn has_vectors() -> bool {
+    #[cfg(target_arch = "x86_64")]
+    let has_vectors = std::arch::is_x86_feature_detected!("avx2");
+    #[cfg(not(target_arch = "x86_64"))]
+    let has_vectors = false;
+    has_vectors
 }
 
-#[cfg(target_arch = "x86_64")]
-pub(crate) fn abilities() -> Abilities {
-    use std::arch::is_x86_feature_detected as is_there;
-    let has_256_bits = is_there!("avx2");
-    let has_masks = is_there!("avx512vl") && is_there!("avx512dq");
-    Abilities {
-        has_256_bits,
-        has_masks,
-        has_512_bits: has_256_bits && has_masks && is_there!("avx512f"),
-    }
-}
-
-#[cfg(not(target_arch = "x86_64"))]
-pub(crate) fn abilities() -> Abilities {
-    Abilities::default()
+/// Has it the masks of AVX-512?
+fn has_masks() -> bool {
+    #[cfg(target_arch = "x86_64")]
+    let has_masks = std::arch::is_x86_feature_detected!("avx512vl")
+        && std::arch::is_x86_feature_detected!("avx512dq");
+    #[cfg(not(target_arch = "x86_64"))]
+    let has_masks = false;
+    has_masks
 }

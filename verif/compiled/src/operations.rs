@@ -1,7 +1,8 @@
 //! What each operation of a circuit is in steps.
 
 use crate::body::{Body, Place, input_index};
-use crate::line::{Line, Step, Two, Value};
+use crate::line::{Above, Line, Step, Two, Value};
+use crate::size::Size;
 use crate::word::Word;
 use imogene_hdl::{Binary, Net, Op};
 
@@ -9,7 +10,7 @@ impl Body<'_> {
     fn load(&mut self, scope: usize, word: usize, width: u32) -> Word {
         let place = self.at(scope, word);
         let load = match self.scopes[scope].rows {
-            None => Step::Load(place),
+            None => Step::Load(self.size(width), place),
             Some(_) => Step::LoadFour(place),
         };
         self.loaded(load, width)
@@ -60,27 +61,28 @@ impl Body<'_> {
         let width = module.node(net).width;
         let in_scope = |net: &Net| (scope, *net);
         match &module.node(net).op {
-            Op::Literal(bits) => Word::constant(*bits, width, &mut self.to),
+            Op::Literal(bits) => Word::constant(*bits, width, self.size(width), &mut self.to),
             Op::Input => match self.scopes[scope].rows {
                 Some(rows) => self.gathered(rows, net, width),
                 None if self.layout.is_top(module) => {
                     // As it was handed over: with anything above.
-                    let input = self.to.add(Step::Input(input_index(module, net)));
-                    Word::new(input, width)
+                    let input = Step::Input(self.size(width), input_index(module, net));
+                    Word::new(self.to.add(input), width)
                 }
-                None => self.load(scope, input_index(module, net), width),
+                None => self.load(scope, block.input(input_index(module, net)), width),
             },
             Op::Register(index) => self.load(scope, block.register(*index), width),
             Op::Read(index) => {
                 let place = self.at(scope, block.memories[*index]);
-                Word::with_zeros_above(self.to.add(Step::Load(place)), width)
+                let read = self.to.add(Step::Load(Size::Whole, place));
+                Word::with_zeros_above(self.low(read, self.size(width)), width)
             }
             Op::Not(a) => {
                 if let Some(same) = self.inverse(in_scope(a)) {
                     return self.word(same);
                 }
                 let a = self.word(in_scope(a));
-                let ones = self.to.constant(u64::MAX);
+                let ones = self.to.constant(a.size(), u64::MAX);
                 let how = |to: &mut Line, value| to.two(Two::Xor, value, ones);
                 match a.signs {
                     Some(signs) => Word::with_signs_above(how(&mut self.to, signs), width),
@@ -102,8 +104,19 @@ impl Body<'_> {
                 let first = self.word(in_scope(&parts[0]));
                 let is_signed = first.signs.is_some();
                 let value = first.signs.or(first.zeros).unwrap_or(first.value);
-                let joined = parts[1..].iter().fold(value, |high, part| {
-                    let high = self.to.left(high, module.node(*part).width);
+                let above = match (is_signed, first.zeros) {
+                    (true, _) => Above::Signs,
+                    (false, Some(_)) => Above::Zeros,
+                    (false, None) => Above::Anything,
+                };
+                let mut wide = module.node(parts[0]).width;
+                let joined = parts[1..].iter().fold(value, |mut high, part| {
+                    let more = module.node(*part).width;
+                    wide += more;
+                    if self.size(wide) == Size::Whole {
+                        high = self.to.widened(high, above);
+                    }
+                    let high = self.to.left(high, more);
                     self.filled(high, (scope, *part))
                 });
                 // Bits above a first part with signs are signs of the whole.
@@ -114,7 +127,7 @@ impl Body<'_> {
                 }
             }
             Op::Extend(a) => {
-                let value = self.extended(in_scope(a));
+                let value = self.extended_to(in_scope(a), self.size(width));
                 match module.node(*a).signed {
                     true => Word::with_signs_above(value, width),
                     false => Word::with_zeros_above(value, width),
@@ -133,6 +146,38 @@ impl Body<'_> {
         }
     }
 
+    /// Of a net with so many bits.
+    pub(crate) fn size(&self, width: u32) -> Size {
+        Size::of(width, self.lanes)
+    }
+
+    /// The low bits of a word in a size that is no greater.
+    fn low(&mut self, value: Value, size: Size) -> Value {
+        match value.1 == size {
+            true => value,
+            false => self.to.narrowed(value, 0),
+        }
+    }
+
+    /// With the sign of a number, or with zeros above a word, in a size that is no less.
+    pub(crate) fn extended_to(&mut self, at: Place, size: Size) -> Value {
+        let value = self.extended(at);
+        match (size, self.is_signed(at)) {
+            (Size::Half, _) => value,
+            (Size::Whole, true) => self.to.widened(value, Above::Signs),
+            (Size::Whole, false) => self.to.widened(value, Above::Zeros),
+        }
+    }
+
+    /// With zeros above, in a size that is no less.
+    pub(crate) fn zeros_to(&mut self, at: Place, size: Size) -> Value {
+        let value = self.zeros(at);
+        match size {
+            Size::Half => value,
+            Size::Whole => self.to.widened(value, Above::Zeros),
+        }
+    }
+
     /// A word whose low bits are zeros, with a net there.
     fn filled(&mut self, high: Value, low: Place) -> Value {
         let low = self.origin(low);
@@ -141,9 +186,11 @@ impl Body<'_> {
         }
         match self.word(low).signs {
             // All ones are -1.
-            Some(signs) if self.width(low) == 1 => self.to.two(Two::Sub, high, signs),
+            Some(signs) if self.width(low) == 1 && signs.1 == high.1 => {
+                self.to.two(Two::Sub, high, signs)
+            }
             _ => {
-                let low = self.zeros(low);
+                let low = self.zeros_to(low, high.1);
                 self.to.two(Two::Or, high, low)
             }
         }
@@ -152,13 +199,31 @@ impl Body<'_> {
     fn slice(&mut self, a: Place, low: u32, width: u32) -> Word {
         let (whole, from) = (self.width(a), self.word(a));
         let is_top = low + width == whole;
+        if from.size() != self.size(width) {
+            return self.half(from, low, is_top, width);
+        }
         let word = match (is_top, from.zeros) {
             (true, Some(zeros)) => Word::with_zeros_above(self.to.right(zeros, low), width),
             _ => Word::new(self.to.right(from.value, low), width),
         };
         match width {
             1 if is_top && from.signs.is_some() => word.with_bit_on_top(self.signs(a)),
-            1 => word.with_bit_on_top(self.to.left(from.value, 63 - low)),
+            1 => {
+                let above = from.size().bits() - 1 - low;
+                word.with_bit_on_top(self.to.left(from.value, above))
+            }
+            _ => word,
+        }
+    }
+
+    /// Bits of a whole word in a half one.
+    fn half(&mut self, from: Word, low: u32, is_top: bool, width: u32) -> Word {
+        let word = match (is_top, from.zeros) {
+            (true, Some(zeros)) => Word::with_zeros_above(self.to.narrowed(zeros, low), width),
+            _ => Word::new(self.to.narrowed(from.value, low), width),
+        };
+        match low.checked_sub(Size::Half.bits() - 1) {
+            Some(low) if width == 1 => word.with_bit_on_top(self.to.narrowed(from.value, low)),
             _ => word,
         }
     }
@@ -190,26 +255,43 @@ impl Body<'_> {
             Binary::Or => self.bit_by_bit(Two::Or, a, b, width),
             Binary::Xor => self.bit_by_bit(Two::Xor, a, b, width),
             Binary::Left => {
-                let (value, count) = (self.word(a).value, self.zeros(b));
-                Word::new(self.to.two(Two::LeftBy, value, count), width)
+                let size = self.size_of_both(a, b);
+                let (value, count) = (self.word(a).value, self.zeros_to(b, size));
+                let value = match size {
+                    Size::Half => value,
+                    Size::Whole => self.to.widened(value, Above::Anything),
+                };
+                let shifted = self.to.two(Two::LeftBy, value, count);
+                Word::new(self.low(shifted, self.size(width)), width)
             }
             Binary::Right => {
-                let count = self.zeros(b);
+                let size = self.size_of_both(a, b);
+                let (value, count) = (self.extended_to(a, size), self.zeros_to(b, size));
                 if !self.is_signed(a) {
-                    let value = self.zeros(a);
                     let shifted = self.to.two(Two::RightBy, value, count);
-                    return Word::with_zeros_above(shifted, width);
+                    return Word::with_zeros_above(self.low(shifted, self.size(width)), width);
                 }
                 // Bits that equal the sign are zeros here, so that zeros are shifted in.
-                let value = self.signs(a);
                 let sign = self.to.sign(value);
                 let magnitude = self.to.two(Two::Xor, value, sign);
                 let shifted = self.to.two(Two::RightBy, magnitude, count);
-                Word::with_signs_above(self.to.two(Two::Xor, shifted, sign), width)
+                let shifted = self.to.two(Two::Xor, shifted, sign);
+                Word::with_signs_above(self.low(shifted, self.size(width)), width)
             }
-            Binary::Equal => Word::with_signs_above(self.equal(a, b), width),
-            Binary::Less => Word::with_signs_above(self.less(a, b), width),
+            Binary::Equal => {
+                let equal = self.equal(a, b);
+                Word::with_signs_above(self.low(equal, self.size(1)), width)
+            }
+            Binary::Less => {
+                let less = self.less(a, b);
+                Word::with_signs_above(self.low(less, self.size(1)), width)
+            }
         }
+    }
+
+    /// The greater of the sizes of two nets.
+    fn size_of_both(&self, a: Place, b: Place) -> Size {
+        self.size(self.width(a).max(self.width(b)))
     }
 
     fn sum(&mut self, how: Two, a: Place, b: Place, width: u32) -> Word {
@@ -239,8 +321,8 @@ impl Body<'_> {
             false if one.is_of(false) || other.is_of(false) => (self.zeros(a), self.zeros(b)),
             false => {
                 let differs = self.to.two(Two::Xor, one.value, other.value);
-                let differs = self.to.left(differs, 64 - self.width(a));
-                (differs, self.to.constant(0))
+                let differs = self.to.left(differs, one.size().bits() - self.width(a));
+                (differs, self.to.constant(one.size(), 0))
             }
         };
         self.to.two(Two::Equal, a, b)
@@ -254,10 +336,11 @@ impl Body<'_> {
         let [a, b] = match (self.is_signed(a), has_signs) {
             (true, true) => [a, b].map(|place| self.signs(place)),
             (true, false) => [a, b].map(|place| self.high(place)),
-            (false, _) if width < 64 => [a, b].map(|place| self.zeros(place)),
+            (false, _) if width < one.size().bits() => [a, b].map(|place| self.zeros(place)),
             // Moved so that the least word is the least number.
             (false, _) => [a, b].map(|place| {
-                let (value, top) = (self.zeros(place), self.to.constant(1 << 63));
+                let top = self.to.constant(one.size(), 1 << (width - 1));
+                let value = self.zeros(place);
                 self.to.two(Two::Xor, value, top)
             }),
         };
@@ -267,14 +350,23 @@ impl Body<'_> {
     fn product(&mut self, a: Place, b: Place) -> Value {
         let signed = self.is_signed(a);
         let is_short = self.width(a) <= 32 && self.width(b) <= 32;
-        let (a, b) = (self.extended(a), self.extended(b));
-        let to = &mut self.to;
+        let size = self.size(self.width(a) + self.width(b));
         if is_short {
-            return match signed {
-                true => to.two(Two::SignedProduct, a, b),
-                false => to.two(Two::Product, a, b),
+            let how = match signed {
+                true => Two::SignedProduct,
+                false => Two::Product,
             };
+            let factors = [a, b].map(|place| {
+                let factor = self.extended(place);
+                match size {
+                    Size::Half => factor,
+                    Size::Whole => self.to.widened(factor, Above::Anything),
+                }
+            });
+            return self.to.two(how, factors[0], factors[1]);
         }
+        let [a, b] = [a, b].map(|place| self.extended_to(place, Size::Whole));
+        let to = &mut self.to;
         // The high halves count in the high half of the product alone.
         let low = to.two(Two::Product, a, b);
         let (high_a, high_b) = (to.right(a, 32), to.right(b, 32));

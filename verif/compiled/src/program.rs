@@ -3,7 +3,7 @@
 use crate::functions::{Function, TASKS, Task, functions};
 use crate::interpret::{self, Work};
 use crate::layout::{Lanes, Layout, Register};
-use crate::machine::{Machine, abilities};
+use crate::machine::Machine;
 use crate::words::Words;
 use imogene_hdl::{Design, Direction};
 
@@ -36,30 +36,27 @@ impl Program {
         Program::of(design, points, Lanes::One, false)
     }
 
-    /// As [`Program::new`], for four runs side by side at the price of one.
+    /// As [`Program::new`], for eight runs side by side.
     pub fn in_lanes(design: &Design, points: &[String]) -> Program {
-        Program::of(design, points, Lanes::Four, false)
+        Program::of(design, points, Lanes::Eight, false)
     }
 
-    /// The same for runs that all get the same inputs: eight with AVX-512, else four.
+    /// The same for runs that all get the same inputs.
     pub fn on_one_stimulus(design: &Design, points: &[String]) -> Program {
-        let lanes = match abilities().has_512_bits {
-            true => Lanes::Eight,
-            false => Lanes::Four,
-        };
-        Program::of(design, points, lanes, true)
+        Program::of(design, points, Lanes::Eight, true)
     }
 
     fn of(design: &Design, points: &[String], lanes: Lanes, shares_inputs: bool) -> Program {
         let layout = Layout::of(design, lanes);
         let outputs = design.top.ports_of(Direction::Out);
         let outputs: Vec<String> = outputs.map(|port| port.name.clone()).collect();
-        let functions = functions(design, &layout, lanes, [&outputs, points]);
+        let functions = functions(design, &layout, lanes, shares_inputs, [&outputs, points]);
+        let rows = if shares_inputs { 1 } else { lanes.count() };
         Program {
             inputs: design.top.ports_of(Direction::In).count(),
             given: [outputs.len(), points.len()],
-            machine: Machine::of(&functions, lanes, shares_inputs),
-            rows: if shares_inputs { 1 } else { lanes.count() },
+            machine: Machine::of(&functions, rows),
+            rows,
             functions,
             lanes,
             size: layout.size,
@@ -79,7 +76,7 @@ impl Program {
         self.machine.as_ref().map(|machine| &machine.code[..])
     }
 
-    /// How many runs lie side by side: 1, 4 or 8.
+    /// How many runs lie side by side: 1 or 8.
     pub fn lanes(&self) -> usize {
         self.lanes.count()
     }
@@ -89,7 +86,7 @@ impl Program {
         let mut words = Words::new(self.size);
         for register in &self.registers {
             for lane in 0..self.lanes() {
-                words[register.place + lane] = register.initial;
+                register.set(&mut words, lane, register.initial);
             }
         }
         for &(place, word) in &self.contents {
@@ -101,8 +98,7 @@ impl Program {
     /// Room for what does not fit into registers.
     pub(crate) fn spilled(&self) -> Words {
         let machine = self.machine.as_ref();
-        let vector = self.lanes.of_called().count();
-        Words::new(vector * machine.map_or(0, |machine| machine.spilled))
+        Words::new(4 * machine.map_or(0, |machine| machine.spilled))
     }
 
     /// Does a task with the words of an instance; only the other tasks than the clock give words.

@@ -1,12 +1,12 @@
 //! The steps of a line in registers: straight-line code, so what is wanted last leaves first (Belady's rule).
 
 use crate::assemble::{
-    Assembler, BLEND, BLOCK, CONSTANTS, GIVEN, LEFT, LOAD_HIGH, LOAD_INDEX, LOAD_SCALAR, MASKS,
-    Operand, PAIR, READ, REGISTERS, RIGHT, ROWS, SELECT_BY_MASK, SPILLED, STORE_SCALAR, TO_MASK,
-    WRITE,
+    Assembler, BLOCK, CONSTANTS, GIVEN, LEFT, LOAD_INDEX, LOAD_SCALAR, LOAD_WHERE, MASKS, Operand,
+    PAIR, READ, REGISTERS, RIGHT, ROWS, SELECT_BY_MASK, SPILLED, STORE_SCALAR, TO_MASK, WRITE,
 };
 use crate::layout::{Lanes, MOST_LANES};
 use crate::line::{Line, Step, Value};
+use crate::size::Size;
 use std::collections::{BTreeMap, HashMap};
 
 /// Vectors in front of those that are spilled: what goes to and comes from memories word by word.
@@ -21,8 +21,10 @@ enum Home {
     Constant(usize),
     /// In the block, at this word.
     State(usize),
-    /// In the row of one lane.
-    Input(usize),
+    /// In the row of all lanes.
+    Input(Size, usize),
+    /// In the row of a lane, from an input on.
+    Row(usize, usize),
     Spilled(usize),
 }
 
@@ -42,8 +44,8 @@ impl Constants {
     }
 }
 
-fn input_at(lane: u8, input: usize) -> Operand {
-    Operand::Memory(ROWS + lane, 8 * input as i32)
+fn input_at(lane: usize, input: usize) -> Operand {
+    Operand::Memory(ROWS + lane as u8, 8 * input as i32)
 }
 
 /// Writes the instructions of a line; gives how many vectors it spills to. `begins` are the functions that it may call.
@@ -57,7 +59,6 @@ pub(crate) fn write(
     let (lanes, of_four) = (to.lanes, line.of_four());
     let lanes_of = |is_four: bool| if is_four { Lanes::Four } else { lanes };
     let mut writer = Writer {
-        vector: 8 * lanes.of_called().count(),
         lanes: of_four.into_iter().map(lanes_of).collect(),
         to,
         constants,
@@ -99,8 +100,6 @@ fn uses(steps: &[Step]) -> Vec<Vec<usize>> {
 struct Writer<'a> {
     to: &'a mut Assembler,
     constants: &'a mut Constants,
-    /// Bytes of a vector.
-    vector: usize,
     /// Of each value.
     lanes: Vec<Lanes>,
     register: Vec<Option<u8>>,
@@ -124,7 +123,7 @@ struct Writer<'a> {
 
 impl Writer<'_> {
     fn step(&mut self, index: usize, step: &Step, begins: &[usize]) {
-        let value = Value(index as u32);
+        let value = Value(index as u32, step.size());
         if step.is_pure() && self.uses[index].is_empty() {
             return;
         }
@@ -132,14 +131,14 @@ impl Writer<'_> {
         self.free.append(&mut self.freed);
         self.to.lanes = self.lanes[index];
         match *step {
-            Step::Constant(words) => {
+            Step::Constant(_, words) => {
                 self.home[index] = Some(Home::Constant(self.constants.index(words)));
             }
             Step::Gather([a, b, c, d]) if [b, c, d] == [a; 3] => {
                 let from = self.fetch(a);
                 let into = self.result(index, step);
                 let from = Operand::Register(from);
-                self.to.spread(into, from);
+                self.to.spread(Size::Whole, into, from);
             }
             Step::Gather([a, b, c, d]) => {
                 self.keep(step);
@@ -153,28 +152,38 @@ impl Writer<'_> {
                 self.release(index, step);
                 self.hold(into, value);
             }
-            Step::Input(input) if self.to.shares_inputs || self.to.lanes == Lanes::One => {
-                self.home[index] = Some(Home::Input(input));
+            Step::Input(size, input) => {
+                self.home[index] = Some(Home::Input(size, input));
             }
-            Step::Input(input) => {
-                let [pair, into] = [self.take(), self.take()];
-                for (to, lane) in [(pair, 0), (into, 2)] {
-                    self.to.load_words(Lanes::One, to, input_at(lane, input));
-                    self.to
-                        .vex(LOAD_HIGH, false, to, to, input_at(lane + 1, input));
-                }
-                self.to.halves(into, pair, into);
+            Step::Row(lane, first, 4) => self.home[index] = Some(Home::Row(lane, first)),
+            Step::Row(lane, first, count) => {
+                let words = std::array::from_fn(|word| if word < count { u64::MAX } else { 0 });
+                let words = Home::Constant(self.constants.index(words));
+                let words = self.place(words);
+                let [mask, into] = [self.take(), self.take()];
+                self.to.load(mask, words);
+                (self.to).vex(LOAD_WHERE, true, into, mask, input_at(lane, first));
                 self.hold(into, value);
+            }
+            Step::Shuffle(how, a, b) => {
+                self.keep(step);
+                let (a, b) = (self.fetch(a), self.operand(b));
+                let into = self.result(index, step);
+                self.to.shuffle(how, into, a, b);
             }
             Step::Patch(first, others) => {
                 self.keep(step);
                 let (others, first) = (self.fetch(others), self.fetch(first));
                 let into = self.result(index, step);
-                self.to
-                    .vex(BLEND, true, into, others, Operand::Register(first));
-                self.to.bytes.push(0b11);
+                (self.to).blend(into, others, Operand::Register(first), 0b11);
             }
-            Step::Load(place) | Step::LoadFour(place) => {
+            Step::Blend(low, high) => {
+                self.keep(step);
+                let (low, high) = (self.fetch(low), self.operand(high));
+                let into = self.result(index, step);
+                self.to.blend(into, low, high, 0b1010_1010);
+            }
+            Step::Load(_, place) | Step::LoadFour(place) => {
                 self.home[index] = Some(Home::State(place));
                 self.loaded.entry(place).or_default().push(value);
             }
@@ -187,7 +196,7 @@ impl Writer<'_> {
                 self.keep(step);
                 let (from, other) = (self.fetch(a), self.operand(b));
                 let into = self.result(index, step);
-                self.to.two(how, into, from, other);
+                self.to.two(how, a.1, into, from, other);
             }
             Step::Left(a, count) | Step::Right(a, count) => {
                 let way = if matches!(step, Step::Left(..)) {
@@ -197,17 +206,19 @@ impl Writer<'_> {
                 };
                 let from = self.fetch(a);
                 let into = self.result(index, step);
-                self.to.shift(way, into, from, count);
+                self.to.shift(way, a.1, into, from, count);
             }
             Step::Select(which, then, or) => {
                 self.keep(step);
-                let mask = self.to.has_masks.then(|| self.mask(which));
+                let size = then.1;
+                let has_masks = self.to.has_masks && size == Size::Whole;
+                let mask = has_masks.then(|| self.mask(which));
                 let which = mask.unwrap_or_else(|| self.fetch(which));
                 let (or, then) = (self.fetch(or), self.operand(then));
                 let into = self.result(index, step);
                 match mask {
                     Some(mask) => self.to.evex(SELECT_BY_MASK, into, or, then, mask),
-                    None => self.to.select(into, which, then, or),
+                    None => self.to.select(size, into, which, then, or),
                 }
             }
             Step::Read(place, at) => self.read(index, step, place, at),
@@ -227,13 +238,13 @@ impl Writer<'_> {
             Step::Store(from, place) => self.store(index, step, from, place),
             Step::Give(value, place) => {
                 let from = self.fetch(value);
-                let bytes = 8 * place * self.to.lanes.count();
-                let to = Operand::Memory(GIVEN, bytes as i32);
+                let to = Operand::Memory(GIVEN, 8 * place as i32);
                 self.to.store_words(self.lanes[index], from, to);
                 self.release(index, step);
             }
             Step::Call(function, place) => self.to.call(begins[function], 8 * place as i32),
             Step::OnlyIf(..) => unreachable!("it looks at the steps behind it"),
+            Step::Widen(..) | Step::Narrow(..) => unreachable!("it was split"),
         }
     }
 
@@ -278,7 +289,7 @@ impl Writer<'_> {
                 self.move_home(held, None);
             }
         }
-        let jump = self.to.jump_unless(register);
+        let jump = self.to.jump_unless(which.1, register);
         self.jump = Some((jump, end));
         self.release(index, &steps[index]);
     }
@@ -316,7 +327,7 @@ impl Writer<'_> {
 
     /// Of a vector that is spilled, and a word in it.
     fn bytes(&self, slot: usize, lane: usize) -> i32 {
-        (self.vector * slot + 8 * lane) as i32
+        (32 * slot + 8 * lane) as i32
     }
 
     fn spill_at(&self, slot: usize) -> Operand {
@@ -325,12 +336,10 @@ impl Writer<'_> {
 
     fn place(&self, home: Home) -> Operand {
         match home {
-            Home::Constant(index) => {
-                let words = self.to.lanes.words_of_constant();
-                Operand::Memory(CONSTANTS, (8 * words * index) as i32)
-            }
+            Home::Constant(index) => Operand::Memory(CONSTANTS, (32 * index) as i32),
             Home::State(place) => Operand::Memory(BLOCK, 8 * place as i32),
-            Home::Input(input) => input_at(0, input),
+            Home::Input(_, input) => input_at(0, input),
+            Home::Row(lane, first) => input_at(lane, first),
             Home::Spilled(slot) => self.spill_at(slot),
         }
     }
@@ -354,9 +363,11 @@ impl Writer<'_> {
         let home = self.home[value.0 as usize].expect("a value lies somewhere");
         let from = self.place(home);
         match home {
-            Home::Input(_) if self.to.shares_inputs => self.to.spread(register, from),
+            Home::Input(size, _) if self.lanes[value.0 as usize] == Lanes::Four => {
+                self.to.spread(size, register, from);
+            }
             // A vector across two words that were stored one by one would wait for both.
-            Home::State(_) | Home::Input(_) => {
+            Home::State(_) | Home::Input(..) => {
                 (self.to).load_words(self.lanes[value.0 as usize], register, from);
             }
             _ => self.to.load(register, from),
@@ -379,7 +390,7 @@ impl Writer<'_> {
             (None, Some(home @ Home::Constant(_))) => self.place(home),
             (None, Some(home @ Home::Spilled(_))) if is_last => self.place(home),
             // Into every lane there is no way from memory alone but of AVX-512.
-            (None, Some(Home::Input(_))) if self.to.shares_inputs && lanes == Lanes::Four => {
+            (None, Some(Home::Input(..))) if lanes == Lanes::Four => {
                 Operand::Register(self.fetch(value))
             }
             (None, Some(home)) if is_last && lanes != Lanes::One => self.place(home),
@@ -389,7 +400,7 @@ impl Writer<'_> {
 
     /// A register for anything, which is busy from now on.
     fn take(&mut self) -> u8 {
-        let all = 0..self.to.registers();
+        let all = 0..REGISTERS;
         let free = (all.clone()).find(|r| self.held[*r].is_none() && !self.is_busy[*r]);
         let register = free.unwrap_or_else(|| {
             let others = all.filter(|register| !self.is_busy[*register]);
@@ -430,7 +441,7 @@ impl Writer<'_> {
     fn result(&mut self, index: usize, step: &Step) -> u8 {
         self.release(index, step);
         let register = self.take();
-        self.hold(register, Value(index as u32));
+        self.hold(register, Value(index as u32, step.size()));
         register
     }
 
@@ -485,7 +496,7 @@ impl Writer<'_> {
         // What was loaded from there and is wanted yet lies there no longer.
         for (begin, loaded) in self.loaded_at(place, value) {
             let is_there = self.home[loaded.0 as usize] == Some(Home::State(begin));
-            let is_the_same = (begin, loaded) == (place, value);
+            let is_the_same = (begin, loaded.0) == (place, value.0);
             if is_there && !is_the_same && !self.uses[loaded.0 as usize].is_empty() {
                 self.fetch(loaded);
                 self.home[loaded.0 as usize] = None;

@@ -1,6 +1,7 @@
-//! Words of a circuit in words of 64 bits: what stands above their bits, and how they are made clean.
+//! Words of a circuit in those of vectors: what stands above their bits, and how they are made clean.
 
 use crate::line::{Line, Two, Value};
+use crate::size::Size;
 
 /// A word of so many bits, in the forms that are known of it.
 #[derive(Clone, Copy, Debug)]
@@ -19,7 +20,7 @@ pub(crate) struct Word {
 impl Word {
     /// With anything above.
     pub(crate) fn new(value: Value, width: u32) -> Word {
-        let clean = (width == 64).then_some(value);
+        let clean = (width == value.1.bits()).then_some(value);
         Word {
             width,
             value,
@@ -53,15 +54,15 @@ impl Word {
         }
     }
 
-    pub(crate) fn constant(bits: u64, width: u32, to: &mut Line) -> Word {
+    pub(crate) fn constant(bits: u64, width: u32, size: Size, to: &mut Line) -> Word {
         let free = 64 - width;
-        let high = bits << free;
+        let signs = ((bits << free) as i64 >> free) as u64;
         Word {
             width,
-            value: to.constant(bits),
-            zeros: Some(to.constant(bits)),
-            signs: Some(to.constant((high as i64 >> free) as u64)),
-            high: Some(to.constant(high)),
+            value: to.constant(size, bits),
+            zeros: Some(to.constant(size, bits)),
+            signs: Some(to.constant(size, signs)),
+            high: Some(to.constant(size, bits << (size.bits() - width))),
         }
     }
 
@@ -81,13 +82,19 @@ impl Word {
         }
     }
 
+    /// Of the words of vectors in which it lies.
+    pub(crate) fn size(&self) -> Size {
+        self.value.1
+    }
+
     pub(crate) fn zeros(&mut self, to: &mut Line) -> Value {
+        let size = self.size();
         *self
             .zeros
             .get_or_insert_with(|| match (self.width, self.signs) {
-                (1, Some(signs)) => to.right(signs, 63),
+                (1, Some(signs)) => to.right(signs, size.bits() - 1),
                 (width, _) => {
-                    let mask = to.constant(u64::MAX >> (64 - width));
+                    let mask = to.constant(size, u64::MAX >> (64 - width));
                     to.two(Two::And, self.value, mask)
                 }
             })
@@ -99,7 +106,7 @@ impl Word {
         }
         let signs = match (self.width, self.zeros) {
             (1, Some(zeros)) => {
-                let zero = to.constant(0);
+                let zero = to.constant(self.size(), 0);
                 to.two(Two::Sub, zero, zeros)
             }
             (1, None) => {
@@ -109,7 +116,7 @@ impl Word {
             (width, _) => {
                 // Zero to 2^(w-1) stay as they are, the others come 2^w lower.
                 let zeros = self.zeros(to);
-                let top = to.constant(1 << (width - 1));
+                let top = to.constant(self.size(), 1 << (width - 1));
                 let moved = to.two(Two::Xor, zeros, top);
                 to.two(Two::Sub, moved, top)
             }
@@ -119,7 +126,7 @@ impl Word {
     }
 
     pub(crate) fn high(&mut self, to: &mut Line) -> Value {
-        let free = 64 - self.width;
+        let free = self.size().bits() - self.width;
         *self.high.get_or_insert_with(|| to.left(self.value, free))
     }
 

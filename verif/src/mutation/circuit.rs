@@ -184,7 +184,11 @@ impl<F: Fn() + Sync> Campaign<'_, F> {
             let judge = group.judge(known);
             let verdicts = group.mutants.par_iter().map(|mutant| {
                 let judge = judge.as_ref();
-                judge.map_or(Verdict::Differs, |judge| judge.judge(&mutant.upsets))
+                let verdict = judge.map_or(Verdict::Differs, |judge| judge.judge(&mutant.upsets));
+                if verdict == Verdict::Equivalent {
+                    (self.on_done)();
+                }
+                verdict
             });
             let verdicts: Vec<Verdict> = verdicts.collect();
             group.reasons = verdicts.iter().map(|verdict| reason(*verdict)).collect();
@@ -196,7 +200,6 @@ impl<F: Fn() + Sync> Campaign<'_, F> {
 
     fn are_equivalent(&self, count: usize, report: &mut MutationReport) {
         for _ in 0..count {
-            (self.on_done)();
             report.count(Fate::Equivalent, self.clocks, String::new);
         }
     }
@@ -229,7 +232,9 @@ impl<F: Fn() + Sync> Campaign<'_, F> {
         let equivalent = groups.iter_mut().map(|group| {
             let shorts = group.shorts.clone();
             group.keep(|place| shorts[place].is_none());
-            shorts.len() - group.mutants.len()
+            let equivalent = shorts.len() - group.mutants.len();
+            (0..equivalent).for_each(|_| (self.on_done)());
+            equivalent
         });
         self.are_equivalent(equivalent.sum(), report);
         Ok(())

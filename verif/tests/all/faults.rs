@@ -100,14 +100,14 @@ impl<F: Fn(usize, u64) -> bool + Send> Hardware for Planted<F> {
 fn a_difference_is_found_in_its_lane_at_its_clock() {
     let request = Request::new(Unit::Pe1);
     let good = subject(&request).unwrap();
-    let lengths = [90, 40, 120, 60, 70, 30];
+    let lengths = [90, 40, 120, 60, 70, 30, 50, 45, 80, 20];
     let stimuli = (0..).zip(lengths);
     let stimuli = stimuli.map(|(seed, clocks)| good.seeded_stimulus(clocks, seed));
     let stimuli: Vec<Vec<Inputs>> = stimuli.collect();
     let one_by_one = stimuli.iter().map(|stimulus| good.run(stimulus, false).0);
     let count = |report: &Report| (report.cycles, report.comparisons);
     let counts: Vec<_> = one_by_one.map(|report| count(&report)).collect();
-    for (lane, clock) in [(0, 85), (1, 35), (2, 119), (3, 59)] {
+    for (lane, clock) in [(0, 85), (1, 35), (2, 119), (3, 59), (7, 44)] {
         let mut broken = subject(&request).unwrap();
         let make = subject(&request).unwrap().hardware;
         broken.hardware = Box::new(move |runs| {

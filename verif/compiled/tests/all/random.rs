@@ -225,16 +225,16 @@ proptest! {
     #[test]
     fn every_net_is_that_of_the_simulator(
         recipe in (steps(40), steps(80), steps(20)).prop_map(|(top, part, inner)| vec![top, part, inner]),
-        stimulus in prop::collection::vec(any::<[[u64; 4]; 4]>(), 1..12),
+        stimulus in prop::collection::vec(any::<[[u64; 4]; 8]>(), 1..12),
     ) {
         let design = design(&recipe);
         let paths = paths(&design);
-        let mut lanes: Vec<Simulator> = (0..4).map(|_| Simulator::new(&design)).collect();
+        let mut lanes: Vec<Simulator> = (0..8).map(|_| Simulator::new(&design)).collect();
         let mut runs = [
             Run::new("steps of one lane", Program::new(&design, &paths).interpreted()),
-            Run::new("steps of four lanes", Program::in_lanes(&design, &paths).interpreted()),
+            Run::new("steps of eight lanes", Program::in_lanes(&design, &paths).interpreted()),
             Run::new("one lane", Program::new(&design, &paths)),
-            Run::new("four lanes", Program::in_lanes(&design, &paths)),
+            Run::new("eight lanes", Program::in_lanes(&design, &paths)),
         ];
         let points = paths.iter().enumerate();
         let points = points.filter_map(|(index, path)| Some((lanes[0].point(path)?, index)));
