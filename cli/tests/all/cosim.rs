@@ -114,7 +114,7 @@ fn the_engines_are_timed_side_by_side() {
         assert_keys(row, keys);
     }
     let engines = "built-in built-in levelised icarus verilator".split(' ');
-    let engines = engines.zip([1, 4, 1, 1, 1]).cycle();
+    let engines = engines.zip([1, 8, 1, 1, 1]).cycle();
     for (row, (engine, lanes)) in rows.iter().zip(engines) {
         assert_eq!(row["engine"], engine);
         assert_eq!(row["lanes"], lanes);

@@ -49,6 +49,8 @@ const SPREAD: [Code; 2] = [Code(2, 1, 0, 0x58), Code(2, 1, 0, 0x59)];
 /// Two words side by side.
 pub(crate) const PAIR: Code = Code(1, 1, 0, 0x6c);
 const ODD: Code = Code(1, 1, 0, 0x6d);
+/// Two half words of each of two pairs of words, which a byte behind it names.
+const FROM_PAIRS: Code = Code(1, 0, 0, 0xc6);
 /// Two halves of two vectors, which a byte behind it names.
 const FROM_HALVES: Code = Code(3, 1, 0, 0x46);
 const HALVES: Code = Code(3, 1, 0, 0x38);
@@ -198,6 +200,8 @@ impl Assembler {
             Shuffle::Odd => (ODD, None),
             Shuffle::Front => (FROM_HALVES, Some(0x20)),
             Shuffle::Back => (FROM_HALVES, Some(0x31)),
+            Shuffle::LowHalves => (FROM_PAIRS, Some(0x88)),
+            Shuffle::HighHalves => (FROM_PAIRS, Some(0xdd)),
         };
         self.vex(code, true, to, a, b);
         self.bytes.extend(halves);

@@ -1,7 +1,6 @@
 //! The steps of a line one by one: for processors without AVX2, and the check of what the others run.
 
 use crate::functions::Function;
-use crate::layout::MOST_LANES;
 use crate::line::{Step, Value};
 use crate::size::blended;
 
@@ -9,8 +8,8 @@ use crate::size::blended;
 pub(crate) struct Work<'a> {
     pub(crate) words: &'a mut [u64],
     pub(crate) given: &'a mut [u64],
-    /// The inputs of each lane.
-    pub(crate) rows: &'a [&'a [i64]; MOST_LANES],
+    /// The inputs of each lane, or those of all.
+    pub(crate) rows: &'a [&'a [i64]],
 }
 
 /// Runs a function for the block that begins at this word.

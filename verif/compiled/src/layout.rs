@@ -1,9 +1,9 @@
 //! Where the state of a design lies: a block of words for each instance, the blocks of its parts within it.
 //!
 //! The inputs of the whole lie elsewhere, those of each lane in a row. In four lanes each word lies as often, side by
-//! side; in eight lanes too, or in pairs of half words. Equal parts of what runs in one lane lie so, as many as there are, but for four at most: they run
-//! together. So do the small ones that stand in one module, as the rows of a root do: word by word those of all rows,
-//! so that what each row takes from the one before lies side by side too.
+//! side; in eight lanes too, or in pairs of half words. Equal parts of what runs in one lane lie so, as many as there
+//! are, but for four at most: they run together. So do the small ones that stand in one module, as the rows of a root
+//! do: word by word those of all rows, so that what each row takes from the one before lies side by side too.
 
 use crate::size::{Size, blended};
 use crate::word::kept;

@@ -128,7 +128,7 @@ impl Simulation {
     fn given(&mut self, task: Task) -> &[u64] {
         let which = usize::from(task == Task::Points);
         if !self.is_read[which] {
-            self.run(task, None);
+            self.run(&[task], None);
             self.is_read[which] = true;
         }
         &self.given[which]
@@ -136,7 +136,7 @@ impl Simulation {
 
     /// The rising edge.
     pub fn clock(&mut self) {
-        self.run(Task::Clock, None);
+        self.run(&[Task::Clock], None);
         self.is_read = [false; 2];
     }
 
@@ -145,30 +145,33 @@ impl Simulation {
     /// Panics if a row has not as many words as there are inputs.
     pub fn step(&mut self, rows: &[&[i64]]) -> &[u64] {
         let count = self.program.rows;
-        let row = |lane: usize| *rows[..rows.len().min(count)].get(lane).unwrap_or(&rows[0]);
-        let rows = std::array::from_fn(row);
-        for task in [Task::Clock, Task::Outputs] {
-            self.run(task, Some(&rows));
+        match rows.get(..count) {
+            Some(rows) => self.run(&[Task::Clock, Task::Outputs], Some(rows)),
+            None => {
+                let row = |lane: usize| *rows.get(lane).unwrap_or(&rows[0]);
+                let rows: [&[i64]; MOST_LANES] = std::array::from_fn(row);
+                self.run(&[Task::Clock, Task::Outputs], Some(&rows[..count]));
+            }
         }
         self.is_read = [true, false];
         &self.given[0]
     }
 
     /// With these inputs, or those that were set.
-    fn run(&mut self, task: Task, rows: Option<&[&[i64]; MOST_LANES]>) {
+    fn run(&mut self, tasks: &[Task], rows: Option<&[&[i64]]>) {
         let (inputs, count) = (self.program.inputs, self.program.rows);
         let own = |lane: usize| &self.rows[lane.min(count - 1) * inputs..][..inputs];
+        let rows = match rows {
+            Some(rows) => rows,
+            None => &std::array::from_fn::<_, MOST_LANES, _>(own)[..count],
+        };
+        let are_whole = rows.iter().all(|row| row.len() == inputs);
+        assert!(are_whole, "a word for each input");
         let mut work = Work {
             words: &mut self.words,
-            given: &mut self.given[usize::from(task == Task::Points)],
-            rows: match rows {
-                Some(rows) => rows,
-                None => &std::array::from_fn(own),
-            },
+            given: &mut self.given[usize::from(tasks.contains(&Task::Points))],
+            rows,
         };
-        let is_whole = |row: &&[i64]| row.len() == inputs;
-        let are_whole = work.rows[..count].iter().all(is_whole);
-        assert!(are_whole, "a word for each input");
-        self.program.run(task, &mut work, &mut self.spilled);
+        self.program.run(tasks, &mut work, &mut self.spilled);
     }
 }

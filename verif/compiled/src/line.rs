@@ -2,7 +2,7 @@
 //!
 //! Every lane does the same. A value is the number of the step that computes it.
 
-use crate::size::Size;
+use crate::size::{Size, blended};
 use std::collections::{HashMap, HashSet};
 
 const ONES: u64 = u64::MAX;
@@ -87,6 +87,10 @@ pub(crate) enum Shuffle {
     Front,
     /// The last two of each.
     Back,
+    /// Of each pair of words their low half words, two of each vector in turn.
+    LowHalves,
+    /// Their high ones, likewise.
+    HighHalves,
 }
 
 impl Shuffle {
@@ -96,6 +100,11 @@ impl Shuffle {
             Shuffle::Odd => [a[1], b[1], a[3], b[3]],
             Shuffle::Front => [a[0], a[1], b[0], b[1]],
             Shuffle::Back => [a[2], a[3], b[2], b[3]],
+            Shuffle::LowHalves => [[a[0], a[1]], [b[0], b[1]], [a[2], a[3]], [b[2], b[3]]]
+                .map(|[low, high]| blended(low, high << 32)),
+            Shuffle::HighHalves => {
+                Shuffle::LowHalves.of(a.map(|word| word >> 32), b.map(|word| word >> 32))
+            }
         }
     }
 }

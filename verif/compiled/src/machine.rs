@@ -3,6 +3,7 @@
 use crate::assemble::Assembler;
 use crate::functions::{Function, TASKS};
 use crate::interpret::Work;
+use crate::layout::MOST_LANES;
 use crate::registers::{self, Constants};
 use crate::words::Words;
 use memmap2::{Mmap, MmapMut};
@@ -61,28 +62,39 @@ impl Machine {
         })
     }
 
-    /// Runs a function; words, spilled vectors, inputs and what is given are as many as it was written for.
+    /// Runs functions; words, spilled vectors, inputs and what is given are as many as it was written for.
     #[cfg(target_arch = "x86_64")]
-    pub(crate) fn run(&self, function: usize, work: &mut Work<'_>, spilled: &mut [u64]) {
-        let begin = self.code[self.begins[function]..].as_ptr();
-        // SAFETY: a function with this signature begins there.
-        let entry = unsafe { std::mem::transmute::<*const u8, Entry>(begin) };
-        let rows = work.rows.map(<[i64]>::as_ptr);
-        // SAFETY: it stays within the slices: places come from the layout that they were made for, and an index of a
-        // memory from a selection that bounds it.
-        unsafe {
-            entry(
-                work.words.as_mut_ptr(),
-                spilled.as_mut_ptr(),
-                work.given.as_mut_ptr(),
-                self.constants.as_ptr(),
-                rows.as_ptr(),
-            );
+    pub(crate) fn run(
+        &self,
+        functions: impl Iterator<Item = usize>,
+        work: &mut Work<'_>,
+        spilled: &mut [u64],
+    ) {
+        let mut rows = [std::ptr::null(); MOST_LANES];
+        let pointers = work.rows.iter().map(|row| row.as_ptr());
+        rows.iter_mut()
+            .zip(pointers)
+            .for_each(|(place, row)| *place = row);
+        for function in functions {
+            let begin = self.code[self.begins[function]..].as_ptr();
+            // SAFETY: a function with this signature begins there.
+            let entry = unsafe { std::mem::transmute::<*const u8, Entry>(begin) };
+            // SAFETY: it stays within the slices: places come from the layout that they were made for, and an index of
+            // a memory from a selection that bounds it.
+            unsafe {
+                entry(
+                    work.words.as_mut_ptr(),
+                    spilled.as_mut_ptr(),
+                    work.given.as_mut_ptr(),
+                    self.constants.as_ptr(),
+                    rows.as_ptr(),
+                );
+            }
         }
     }
 
     #[cfg(not(target_arch = "x86_64"))]
-    pub(crate) fn run(&self, _: usize, _: &mut Work<'_>, _: &mut [u64]) {
+    pub(crate) fn run(&self, _: impl Iterator<Item = usize>, _: &mut Work<'_>, _: &mut [u64]) {
         unreachable!("there is no machine code for this processor");
     }
 }

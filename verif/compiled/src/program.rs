@@ -101,12 +101,17 @@ impl Program {
         Words::new(4 * machine.map_or(0, |machine| machine.spilled))
     }
 
-    /// Does a task with the words of an instance; only the other tasks than the clock give words.
-    pub(crate) fn run(&self, task: Task, work: &mut Work<'_>, spilled: &mut [u64]) {
-        let function = self.functions.len() - TASKS + task as usize;
+    /// Does tasks with the words of an instance, one after the other; only others than the clock give words.
+    pub(crate) fn run(&self, tasks: &[Task], work: &mut Work<'_>, spilled: &mut [u64]) {
+        let first = self.functions.len() - TASKS;
+        let functions = tasks.iter().map(|task| first + *task as usize);
         match &self.machine {
-            Some(machine) => machine.run(function, work, spilled),
-            None => interpret::run(&self.functions, function, 0, work),
+            Some(machine) => machine.run(functions, work, spilled),
+            None => {
+                for function in functions {
+                    interpret::run(&self.functions, function, 0, work);
+                }
+            }
         }
     }
 }

@@ -117,18 +117,23 @@ impl Split {
             let lanes = [lane, lane + BEHIND];
             lanes.map(|lane| self.to.once(Step::Row(lane, first, count)))
         });
+        let place = index - first;
         match size {
-            Size::Whole => [0, 1].map(|part| self.picked(rows.map(|row| row[part]), index - first)),
+            Size::Whole => {
+                let turn = [Shuffle::Even, Shuffle::Odd][place % 2];
+                [0, 1].map(|part| self.picked(rows.map(|row| row[part]), turn, place))
+            }
             Size::Half => {
-                let pairs = rows.map(|row| self.joined(row, 0).read_as(Size::Whole));
-                [self.picked(pairs, index - first).read_as(size); 2]
+                let both = |[a, b]: [Value; 2]| Step::Shuffle(Shuffle::LowHalves, a, b);
+                let rows = rows.map(|row| self.to.once(both(row)));
+                let turn = [Shuffle::LowHalves, Shuffle::HighHalves][place % 2];
+                [self.picked(rows, turn, place).read_as(size); 2]
             }
         }
     }
 
-    /// The word at a place in each of four vectors.
-    fn picked(&mut self, [a, b, c, d]: [Value; 4], place: usize) -> Value {
-        let turn = [Shuffle::Even, Shuffle::Odd][place % 2];
+    /// Of each of four vectors the word at a place, which are taken in turn.
+    fn picked(&mut self, [a, b, c, d]: [Value; 4], turn: Shuffle, place: usize) -> Value {
         let [front, back] = [(a, b), (c, d)].map(|(a, b)| self.to.once(Step::Shuffle(turn, a, b)));
         let half = [Shuffle::Front, Shuffle::Back][place / 2];
         self.to.once(Step::Shuffle(half, front, back))
