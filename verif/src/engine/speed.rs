@@ -20,7 +20,7 @@ pub const FRAME: (usize, usize) = (640, 480);
 const LINES: usize = 2;
 
 /// Rounds of measuring; the engines take turns, so that a machine that slows down slows all of them.
-const ROUNDS: usize = 3;
+const ROUNDS: usize = 15;
 
 /// Clocks between two looks at the time.
 const CHUNK: usize = 250;
