@@ -162,14 +162,14 @@ impl Assembler {
     /// Of words of 64 bits.
     pub(crate) fn evex(&mut self, code: Code, reg: u8, first: u8, second: Operand, mask: u8) {
         let Code(table, prefix, _, byte) = code;
-        let lacks = |register: u8, bit: u32| (!register >> bit) & 1;
-        let [more, beyond] = match second {
-            Operand::Register(register) => [4, 3].map(|bit| lacks(register, bit)),
-            Operand::Memory(base, _) => [1, lacks(base, 3)],
+        let lacks = |register: u8| (!register >> 3) & 1;
+        let beyond = match second {
+            Operand::Register(register) | Operand::Memory(register, _) => lacks(register),
         };
-        let registers = lacks(reg, 3) << 7 | more << 6 | beyond << 5 | lacks(reg, 4) << 4 | table;
+        // Registers from 16 on would need the other two bits.
+        let registers = lacks(reg) << 7 | 1 << 6 | beyond << 5 | 1 << 4 | table;
         let middle = 1 << 7 | (!first & 15) << 3 | 1 << 2 | prefix;
-        let last = (self.lanes as u8) << 5 | lacks(first, 4) << 3 | mask;
+        let last = (self.lanes as u8) << 5 | 1 << 3 | mask;
         self.bytes.extend([0x62, registers, middle, last, byte]);
         self.operand(reg, second);
     }

@@ -74,10 +74,8 @@ impl Body<'_> {
     fn hand_inputs(&mut self, part: usize) {
         for input in 0..self.inputs(part) {
             let value = self.input(part, input);
-            let place = self.at(
-                part,
-                self.layout.block(self.scopes[part].module).input(input),
-            );
+            let block = self.layout.block(self.scopes[part].module);
+            let place = self.at(part, block.input(input));
             self.to.add(Step::Store(value, place));
         }
     }

@@ -34,11 +34,7 @@ impl Machine {
                 bytes,
                 lanes: function.lanes,
                 has_masks: has_masks(),
-                rows: if function.line.reads_inputs() {
-                    rows
-                } else {
-                    0
-                },
+                rows: usize::from(function.line.reads_inputs()) * rows,
             };
             let begin = to.bytes.len();
             let is_outer = index + TASKS >= functions.len();
@@ -72,9 +68,9 @@ impl Machine {
     ) {
         let mut rows = [std::ptr::null(); MOST_LANES];
         let pointers = work.rows.iter().map(|row| row.as_ptr());
-        rows.iter_mut()
-            .zip(pointers)
-            .for_each(|(place, row)| *place = row);
+        for (place, row) in rows.iter_mut().zip(pointers) {
+            *place = row;
+        }
         for function in functions {
             let begin = self.code[self.begins[function]..].as_ptr();
             // SAFETY: a function with this signature begins there.

@@ -47,7 +47,7 @@ impl Split {
             Left(a, count) => self.each([a; 3], |[a, ..]| Left(a, count)),
             Right(a, count) => self.each([a; 3], |[a, ..]| Right(a, count)),
             Select(which, then, or) => {
-                let which = self.read_as(which, then.1);
+                let which = self.tops(which, then.1);
                 let [then, or] = [then, or].map(|value| self.of(value));
                 [0, 1].map(|part| self.to.once(Select(which[part], then[part], or[part])))
             }
@@ -132,7 +132,7 @@ impl Split {
         }
     }
 
-    /// Of each of four vectors the word at a place, which are taken in turn.
+    /// The word at a place in each of four vectors; `turn` takes it from two of them.
     fn picked(&mut self, [a, b, c, d]: [Value; 4], turn: Shuffle, place: usize) -> Value {
         let [front, back] = [(a, b), (c, d)].map(|(a, b)| self.to.once(Step::Shuffle(turn, a, b)));
         let half = [Shuffle::Front, Shuffle::Back][place / 2];
@@ -184,8 +184,8 @@ impl Split {
         self.to.once(Step::Blend(first, last))
     }
 
-    /// Bits on top of words, on top of those of another size.
-    fn read_as(&mut self, which: Value, size: Size) -> [Value; 2] {
+    /// Top bits, as those of words of another size.
+    fn tops(&mut self, which: Value, size: Size) -> [Value; 2] {
         let both = self.of(which);
         match (which.1, size) {
             (Size::Half, Size::Whole) => {
