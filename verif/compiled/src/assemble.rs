@@ -3,7 +3,7 @@
 //! A selection is one instruction less, and its condition is found once for many, where the processor has the masks of
 //! AVX-512 (section 2.7, EVEX).
 
-use crate::layout::Lanes;
+use crate::lanes::Lanes;
 use crate::line::{Shuffle, Two};
 use crate::size::Size;
 

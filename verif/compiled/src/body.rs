@@ -2,7 +2,8 @@
 //!
 //! A word is computed where it is first wanted.
 
-use crate::layout::{Lanes, Layout, Spot, whole};
+use crate::lanes::Lanes;
+use crate::layout::{Layout, Spot, whole};
 use crate::line::{Line, Step, Value};
 use crate::word::Word;
 use imogene_hdl::{Direction, Module, Net, Op};

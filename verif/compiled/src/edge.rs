@@ -4,7 +4,7 @@
 //! live.
 
 use crate::body::{Body, Place};
-use crate::layout::Lanes;
+use crate::lanes::Lanes;
 use crate::line::{Step, Two, Value};
 use crate::size::Size;
 use imogene_hdl::{Binary, Direction, Module, Net, Op};

@@ -1,7 +1,8 @@
 //! The functions of a program: one for each module that is called, and one for each task.
 
 use crate::body::Body;
-use crate::layout::{Lanes, Layout};
+use crate::lanes::Lanes;
+use crate::layout::Layout;
 use crate::line::{Line, Step};
 use crate::size::Size;
 use crate::split::split;

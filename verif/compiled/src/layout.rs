@@ -5,6 +5,7 @@
 //! are, but for four at most: they run together. So do the small ones that stand in one module, as the rows of a root
 //! do: word by word those of all rows, so that what each row takes from the one before lies side by side too.
 
+use crate::lanes::Lanes;
 use crate::size::{Size, blended};
 use crate::word::kept;
 use imogene_hdl::{Design, Direction, Module};
@@ -13,52 +14,6 @@ use std::sync::Arc;
 
 /// Modules with fewer nets, all parts counted, become part of what is around them: a call would cost more.
 const SMALL: usize = 60;
-
-/// How many runs lie side by side.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Lanes {
-    One,
-    /// Of parts of what runs in one lane.
-    Four,
-    /// Of a whole program: vectors of four words, two for each net of more than 32 bits and one for every other.
-    Eight,
-}
-
-pub(crate) const MOST_LANES: usize = Lanes::Eight.count();
-
-impl Lanes {
-    pub(crate) const fn count(self) -> usize {
-        match self {
-            Lanes::One => 1,
-            Lanes::Four => 4,
-            Lanes::Eight => 8,
-        }
-    }
-
-    /// How many words of 64 bits a vector has.
-    pub(crate) const fn in_vector(self) -> usize {
-        match self {
-            Lanes::One => 1,
-            Lanes::Four | Lanes::Eight => 4,
-        }
-    }
-
-    /// How many vectors a net with so many bits has.
-    fn vectors(self, width: u32) -> usize {
-        match (self, Size::of(width, self)) {
-            (Lanes::Eight, Size::Whole) => 2,
-            _ => 1,
-        }
-    }
-
-    /// Those of what is called by what has these.
-    pub(crate) fn of_called(self) -> Lanes {
-        match self {
-            Lanes::One => Lanes::Four,
-            lanes => lanes,
-        }
-    }
-}
 
 /// The block of a module, in vectors from its beginning.
 pub(crate) struct Block {
@@ -149,15 +104,15 @@ impl Layout {
             *size - vectors
         };
         let inputs = module.ports_of(Direction::In);
-        let inputs = inputs.map(|port| take(&mut size, lanes.vectors(port.width)));
+        let inputs = inputs.map(|port| take(&mut size, Size::of(port.width, lanes).vectors(lanes)));
         let inputs = inputs.collect();
         let registers = module.registers.iter();
         let widths = registers.map(|register| module.node(register.net).width);
-        let registers = widths.map(|width| take(&mut size, lanes.vectors(width)));
+        let registers = widths.map(|width| take(&mut size, Size::of(width, lanes).vectors(lanes)));
         let registers = registers.collect();
         // Never empty: no two parts are at one place.
         size = size.max(1);
-        let of_word = lanes.vectors(Size::Whole.bits());
+        let of_word = Size::Whole.vectors(lanes);
         let memories = module.memories.iter();
         let memories = memories.map(|memory| take(&mut size, (memory.words + 3) * of_word));
         let memories = memories.collect();
@@ -298,7 +253,7 @@ impl Layout {
         self.visit(top, whole(lanes), &mut |module, spot| {
             for (memory, place) in module.memories.iter().zip(&self.block(module).memories) {
                 // What was read last stands before the words.
-                let of_word = lanes.vectors(Size::Whole.bits());
+                let of_word = Size::Whole.vectors(lanes);
                 let places = (place + of_word..).step_by(of_word);
                 let words = memory.contents.iter().zip(places);
                 found.extend(words.map(|(word, place)| (spot.place + place * spot.stride, *word)));

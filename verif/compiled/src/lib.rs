@@ -32,6 +32,7 @@ mod body;
 mod edge;
 mod functions;
 mod interpret;
+mod lanes;
 mod layout;
 mod line;
 mod machine;
@@ -47,7 +48,7 @@ pub use program::Program;
 
 use functions::Task;
 use interpret::Work;
-use layout::MOST_LANES;
+use lanes::MOST_LANES;
 use std::sync::Arc;
 use words::Words;
 

@@ -3,7 +3,7 @@
 use crate::assemble::Assembler;
 use crate::functions::{Function, TASKS};
 use crate::interpret::Work;
-use crate::layout::MOST_LANES;
+use crate::lanes::MOST_LANES;
 use crate::registers::{self, Constants};
 use crate::words::Words;
 use memmap2::{Mmap, MmapMut};

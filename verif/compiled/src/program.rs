@@ -2,7 +2,8 @@
 
 use crate::functions::{Function, TASKS, Task, functions};
 use crate::interpret::{self, Work};
-use crate::layout::{Lanes, Layout, Register};
+use crate::lanes::Lanes;
+use crate::layout::{Layout, Register};
 use crate::machine::Machine;
 use crate::words::Words;
 use imogene_hdl::{Design, Direction};

@@ -5,7 +5,7 @@ mod steps;
 use crate::assemble::{
     Assembler, BLOCK, CONSTANTS, MASKS, Operand, REGISTERS, ROWS, SPILLED, TO_MASK,
 };
-use crate::layout::Lanes;
+use crate::lanes::Lanes;
 use crate::line::{Line, Step, Value};
 use crate::size::Size;
 use std::collections::{BTreeMap, HashMap};

@@ -1,6 +1,6 @@
 //! How many bits a word has in each lane of a vector.
 
-use crate::layout::Lanes;
+use crate::lanes::Lanes;
 
 const LOW: u64 = u32::MAX as u64;
 
@@ -18,6 +18,14 @@ impl Size {
         match lanes == Lanes::Eight && width <= Size::Half.bits() {
             true => Size::Half,
             false => Size::Whole,
+        }
+    }
+
+    /// How many vectors a net of this size has.
+    pub(crate) fn vectors(self, lanes: Lanes) -> usize {
+        match (lanes, self) {
+            (Lanes::Eight, Size::Whole) => 2,
+            _ => 1,
         }
     }
 

@@ -5,7 +5,7 @@ use crate::assemble::{
     BLOCK, GIVEN, LEFT, LOAD_INDEX, LOAD_SCALAR, LOAD_WHERE, Operand, PAIR, READ, REGISTERS, RIGHT,
     SELECT_BY_MASK, STORE_SCALAR, WRITE,
 };
-use crate::layout::MOST_LANES;
+use crate::lanes::MOST_LANES;
 use crate::line::{Step, Value};
 use crate::size::Size;
 
