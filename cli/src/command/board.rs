@@ -165,23 +165,27 @@ impl Work<'_> {
 
     /// What the pins show in simulation of Verilog with models of its cells.
     fn shown(&self, name: &str, verilog: &str, models: &str, files: &mut Outputs) -> Result<Shown> {
-        // The words of the first image are on their way in the first frame.
         let frames = self.options.frames.map_or(self.film.frames(), u64::from);
+        // Where the words of the first image come too late for the first frame, there is one more.
         let clocks = (1 + frames) * self.mode.clocks() + SLACK;
         let pins = simulate((&self.board, &self.mode), verilog, models, clocks)?;
-        let shown = pins.shown.pictures.iter().skip(1);
-        let firsts: Vec<_> = shown.step_by(self.film.stay as usize).collect();
+        let pictures = &pins.shown.pictures;
+        let is_late = pictures.first() != self.film.pictures.first();
+        let golden = self.film.frames_behind(is_late.into());
+        let golden: Vec<&[u8]> = golden.take(1 + frames as usize).collect();
+        let shown = pictures.iter().skip(is_late.into());
+        let firsts = shown.take(frames as usize).step_by(self.film.stay as usize);
+        let firsts: Vec<_> = firsts.collect();
         self.add_pictures(name, &firsts, files)?;
         if self.options.samples {
             let samples = pins.samples();
             files.add(&self.out("pins.bin"), |out| {
                 std::io::copy(&mut std::fs::File::open(&samples)?, out).map(|_| ())
             })?;
-            let golden = self.film.picture(pins.shown.pictures.len() - 1);
-            files.add(&self.out("golden.rgb"), |out| out.write_all(golden))?;
+            let last = golden.iter().take(pictures.len()).next_back();
+            let last = last.expect("the simulation shows a frame");
+            files.add(&self.out("golden.rgb"), |out| out.write_all(last))?;
         }
-        let golden = (0..=frames as usize).map(|frame| self.film.picture(frame));
-        let golden: Vec<&[u8]> = golden.collect();
         Ok(Shown::of(&pins, &golden, clocks))
     }
 

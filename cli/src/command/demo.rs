@@ -16,6 +16,7 @@ use imogene_verif::report::Report;
 use imogene_verif::scene;
 use imogene_verif::waveform::{WaveformRequest, WindowStart};
 use serde::Serialize;
+use std::panic::resume_unwind;
 
 /// The teapot and a machine with a VGA screen, compiled in so that the demo needs no file.
 const TEAPOT: &str = include_str!("../../../scenes/teapot.toml");
@@ -56,18 +57,22 @@ pub fn run(options: &Demo, json: bool) -> Result {
 
     let golden = image.picture.clone();
     let pins = PinsRun::plain(Engine::BuiltIn);
-    let outcome = output::during(2, "frames on the pins", |bar| {
-        run_pins(&machine, &[image], &pins, || bar.inc(1))
+    let (outcome, mut inside) = std::thread::scope(|scope| {
+        let outcome = scope.spawn(|| run_pins(&machine, &[image], &pins, || {}));
+        let inside = inside(&file, machine.format()?)?;
+        let outcome = outcome
+            .join()
+            .unwrap_or_else(|panic| resume_unwind(panic))?;
+        Ok::<_, Failure>((outcome, inside))
     })?;
     let pictures = (Some(&golden[..]), Some(&outcome));
     write_pictures(&machine, pictures, &options.out, &mut files)?;
     let pictures_identical = outcome.picture == golden;
     let mut report = outcome.report;
-    let mut inside = inside(&file, machine.format()?)?;
     if let Some(trace) = inside.trace.take() {
         trace.add_to(&mut files, &options.out.join("trace.vcd"))?;
     }
-    let seconds = report.seconds + inside.seconds;
+    let seconds = report.seconds.max(inside.seconds);
     report.absorb(inside);
     report.timed(seconds);
     report.subject = "teapot".into();

@@ -44,7 +44,7 @@ fn tiny(place: &Place, more: &str) -> Run {
 fn waveforms_go_from_the_bus_to_the_pins() {
     let place = Place::new();
     let run = |more: &str| tiny(&place, &format!("--vcd pins.vcd {more}"));
-    let window = "--vcd-from frame:2,line:3 --vcd-clocks 20";
+    let window = "--vcd-from frame:1,line:3 --vcd-clocks 20";
     let nets = "--vcd-nets core.objects.decider,loader.comes";
     run(&format!("{window} {nets}")).ended(0);
     let text = place.text("pins.vcd");

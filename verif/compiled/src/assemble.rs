@@ -38,6 +38,8 @@ pub(crate) const LOAD_WHERE: Code = Code(2, 1, 1, 0x8c);
 const STORE_WORD: Code = Code(1, 1, 0, 0xd6);
 /// By the size of words.
 const SHIFT: [Code; 2] = [Code(1, 1, 0, 0x72), Code(1, 1, 0, 0x73)];
+/// Of eight half words those that the low bits of each half word say.
+pub(crate) const LOOKUP: Code = Code(2, 1, 0, 0x36);
 /// The way of a shift.
 pub(crate) const LEFT: u8 = 6;
 pub(crate) const RIGHT: u8 = 2;

@@ -107,11 +107,6 @@ impl<'d> Body<'d> {
         together
     }
 
-    /// Where the input of rows that run together gets its bits.
-    pub(crate) fn origins(&mut self, rows: [usize; 4], input: Net) -> [Place; 4] {
-        rows.map(|row| self.origin((row, input)))
-    }
-
     /// The place of a word of a scope, by its number in the block.
     pub(crate) fn at(&self, scope: usize, word: usize) -> usize {
         let own = &self.scopes[scope];

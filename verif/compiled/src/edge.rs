@@ -93,11 +93,12 @@ impl Body<'_> {
                 self.hand_inputs(part);
                 continue;
             }
-            let all = [0, 1, 2, 3].map(|lane| *parts.get(lane).unwrap_or(&parts[0]));
-            for input in 0..self.inputs(parts[0]) {
-                let values = all.map(|part| self.input(part, input));
-                let value = self.to.gather(values);
-                let value = self.to.in_four(value);
+            let all = [0, 1, 2, 3].map(|lane| parts[lane.min(parts.len() - 1)]);
+            let inputs = group.module.ports_of(Direction::In).enumerate();
+            for (input, port) in inputs {
+                let nets = all.map(|part| (part, port.net));
+                let value = self.side_by_side(nets, parts.len(), port.width);
+                let value = self.to.in_four(value.value);
                 self.to.add(Step::Store(value, group.place + 4 * input));
             }
         }

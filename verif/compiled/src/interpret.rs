@@ -80,6 +80,10 @@ fn run_step(
                 let tops = which.1.tops(get(which));
                 *result = get(a) & tops | get(b) & !tops;
             }
+            Step::Lookup(table, at) => {
+                let entry = |at: u64| table[(at >> 1 & 3) as usize] >> (32 * (at & 1));
+                *result = blended(entry(get(at)), entry(get(at) >> 32) << 32);
+            }
             Step::Read(place, at) => *result = words[begin + place + get(at) as usize],
             Step::Store(value, place) => words[begin + place] = get(value),
             Step::Write(place, at, value) => words[begin + place + get(at) as usize] = get(value),

@@ -161,11 +161,13 @@ impl Simulation {
     /// With these inputs, or those that were set.
     fn run(&mut self, tasks: &[Task], rows: Option<&[&[i64]]>) {
         let (inputs, count) = (self.program.inputs, self.program.rows);
-        let own = |lane: usize| &self.rows[lane.min(count - 1) * inputs..][..inputs];
-        let rows = match rows {
-            Some(rows) => rows,
-            None => &std::array::from_fn::<_, MOST_LANES, _>(own)[..count],
-        };
+        let mut own: [&[i64]; MOST_LANES] = [&[]; MOST_LANES];
+        let rows = rows.unwrap_or_else(|| {
+            for (place, row) in own.iter_mut().zip(self.rows.chunks_exact(inputs.max(1))) {
+                *place = row;
+            }
+            &own[..count]
+        });
         let are_whole = rows.iter().all(|row| row.len() == inputs);
         assert!(are_whole, "a word for each input");
         let mut work = Work {

@@ -145,6 +145,8 @@ pub(crate) enum Step {
     Right(Value, u32),
     /// The second where the top bit of the first is 1, else the third.
     Select(Value, Value, Value),
+    /// For each half word that of eight which its low three bits say; whole words are two.
+    Lookup([u64; 4], Value),
     /// The word of a memory at an index.
     Read(usize, Value),
     Store(Value, usize),
@@ -164,7 +166,7 @@ impl Step {
         use Step::*;
         let reads = match *self {
             Constant(..) | Load(..) | LoadFour(_) | Input(..) | Row(..) | Call(..) => [None; 4],
-            Left(a, _) | Right(a, _) | Read(_, a) => [Some(a), None, None, None],
+            Left(a, _) | Right(a, _) | Read(_, a) | Lookup(_, a) => [Some(a), None, None, None],
             Widen(a, _) | Narrow(a, _) => [Some(a), None, None, None],
             Store(a, _) | Give(a, _) | OnlyIf(a, _) => [Some(a), None, None, None],
             Two(_, a, b) | Write(_, a, b) => [Some(a), Some(b), None, None],
@@ -180,7 +182,7 @@ impl Step {
         use Step::*;
         match self {
             Constant(size, _) | Load(size, _) | Input(size, ..) => *size,
-            Two(_, a, _) | Left(a, _) | Right(a, _) | Select(_, a, _) => a.1,
+            Two(_, a, _) | Left(a, _) | Right(a, _) | Select(_, a, _) | Lookup(_, a) => a.1,
             Narrow(..) | Blend(..) => Size::Half,
             _ => Size::Whole,
         }
@@ -379,6 +381,13 @@ impl Line {
             }
             _ => {}
         }
+        if how == Two::Equal
+            && self.as_constant(b) == Some(0)
+            && let Some(top) = self.on_top(a)
+        {
+            let ones = self.constant(size, ONES);
+            return self.two(Two::Greater, top, ones);
+        }
         if how == Two::And {
             for (a, b) in [(a, b), (b, a)] {
                 if let Some(inverse) = self.inverse(a) {
@@ -417,6 +426,17 @@ impl Line {
         self.two(Two::LeftBy, value, counts)
     }
 
+    /// What is zero but for one bit of a word, with this bit as the highest one.
+    fn on_top(&mut self, value: Value) -> Option<Value> {
+        let Step::Two(Two::And, word, bit) = self.step(value) else {
+            return None;
+        };
+        let bits = self.as_constants(bit)?.map(|bit| word.1.first(bit));
+        let top = word.1.bits() - 1;
+        let is_one = bits.iter().all(|bit| bit.is_power_of_two());
+        is_one.then(|| self.left_each(word, bits.map(|bit| top - bit.ilog2())))
+    }
+
     pub(crate) fn right(&mut self, value: Value, count: u32) -> Value {
         let size = value.1;
         match self.step(value) {
@@ -446,17 +466,8 @@ impl Line {
             Step::Two(Two::Greater, zero, number) if self.as_constant(zero) == Some(0) => {
                 return self.select(number, then, or);
             }
-            // A bit that is zero.
-            Step::Two(Two::Equal, bits, zero) if self.as_constant(zero) == Some(0) => {
-                if let Step::Two(Two::And, word, bit) = self.step(bits)
-                    && let Some(bits) = self.as_constants(bit)
-                    && let bits = bits.map(|bit| word.1.first(bit))
-                    && bits.iter().all(|bit| bit.is_power_of_two())
-                {
-                    let top = word.1.bits() - 1;
-                    let top = self.left_each(word, bits.map(|bit| top - bit.ilog2()));
-                    return self.select(top, or, then);
-                }
+            Step::Two(Two::Greater, number, ones) if self.as_constant(ones) == Some(ONES) => {
+                return self.select(number, or, then);
             }
             _ => {}
         }
@@ -468,6 +479,12 @@ impl Line {
             (true, _, [true, _]) => self.two(Two::Or, which, or),
             _ => self.once(Step::Select(which, then, or)),
         }
+    }
+
+    /// One of eight constants of 32 bits, by the low bits of a word, with anything above in a whole word.
+    pub(crate) fn lookup(&mut self, table: [u64; 8], index: Value) -> Value {
+        let pair = |at: usize| blended(table[at], table[at + 1] << 32);
+        self.once(Step::Lookup([0, 2, 4, 6].map(pair), index))
     }
 
     /// All ones where the number is negative, else zero.

@@ -1,7 +1,7 @@
 //! Machine code in memory.
 
 use crate::assemble::Assembler;
-use crate::functions::{Function, TASKS};
+use crate::functions::{Function, TASKS, Task};
 use crate::interpret::Work;
 use crate::lanes::MOST_LANES;
 use crate::registers::{self, Constants};
@@ -14,8 +14,8 @@ type Entry = unsafe extern "sysv64" fn(*mut u64, *mut u64, *mut u64, *const u64,
 
 pub(crate) struct Machine {
     pub(crate) code: Mmap,
-    /// Where each function begins.
-    begins: Vec<usize>,
+    /// Where the functions of the tasks begin.
+    tasks: [usize; TASKS],
     constants: Words,
     /// Vectors that must be there for what is spilled.
     pub(crate) spilled: usize,
@@ -50,29 +50,24 @@ impl Machine {
         let constants = constants.words.as_flattened();
         let mut words = Words::new(constants.len());
         words.copy_from_slice(constants);
+        let (_, tasks) = begins.split_last_chunk()?;
         Some(Machine {
+            tasks: *tasks,
             code: code.make_exec().ok()?,
-            begins,
             constants: words,
             spilled,
         })
     }
 
-    /// Runs functions; words, spilled vectors, inputs and what is given are as many as it was written for.
+    /// Does tasks; words, spilled vectors, inputs and what is given are as many as it was written for.
     #[cfg(target_arch = "x86_64")]
-    pub(crate) fn run(
-        &self,
-        functions: impl Iterator<Item = usize>,
-        work: &mut Work<'_>,
-        spilled: &mut [u64],
-    ) {
+    pub(crate) fn run(&self, tasks: &[Task], work: &mut Work<'_>, spilled: &mut [u64]) {
         let mut rows = [std::ptr::null(); MOST_LANES];
-        let pointers = work.rows.iter().map(|row| row.as_ptr());
-        for (place, row) in rows.iter_mut().zip(pointers) {
-            *place = row;
+        for (place, row) in rows.iter_mut().zip(work.rows) {
+            *place = row.as_ptr();
         }
-        for function in functions {
-            let begin = self.code[self.begins[function]..].as_ptr();
+        for task in tasks {
+            let begin = self.code[self.tasks[*task as usize]..].as_ptr();
             // SAFETY: a function with this signature begins there.
             let entry = unsafe { std::mem::transmute::<*const u8, Entry>(begin) };
             // SAFETY: it stays within the slices: places come from the layout that they were made for, and an index of
@@ -90,7 +85,7 @@ impl Machine {
     }
 
     #[cfg(not(target_arch = "x86_64"))]
-    pub(crate) fn run(&self, _: impl Iterator<Item = usize>, _: &mut Work<'_>, _: &mut [u64]) {
+    pub(crate) fn run(&self, _: &[Task], _: &mut Work<'_>, _: &mut [u64]) {
         unreachable!("there is no machine code for this processor");
     }
 }

@@ -4,7 +4,7 @@ use crate::body::{Body, Place, input_index};
 use crate::line::{Above, Line, Step, Two, Value};
 use crate::size::Size;
 use crate::word::Word;
-use imogene_hdl::{Binary, Net, Op};
+use imogene_hdl::{Binary, Net, Node, Op};
 
 impl Body<'_> {
     fn load(&mut self, scope: usize, word: usize, width: u32) -> Word {
@@ -23,9 +23,10 @@ impl Body<'_> {
         }
     }
 
-    /// An input of rows that run together: what lies side by side is read so, perhaps but for the first row's.
-    fn gathered(&mut self, rows: [usize; 4], input: Net, width: u32) -> Word {
-        let origins = self.origins(rows, input);
+    /// Nets of one lane side by side, of which the first so many count: what lies so is read so, perhaps but for the
+    /// first one.
+    pub(crate) fn side_by_side(&mut self, nets: [Place; 4], count: usize, width: u32) -> Word {
+        let origins = nets.map(|net| self.origin(net));
         let places = origins.map(
             |(scope, net)| match self.scopes[scope].module.node(net).op {
                 Op::Register(index) => {
@@ -37,12 +38,11 @@ impl Body<'_> {
         );
         let follows = |lane: usize| {
             let before = places[lane - 1];
-            before.is_some_and(|before| places[lane] == Some(before + 1))
+            lane >= count || before.is_some_and(|before| places[lane] == Some(before + 1))
         };
-        // The last lane may be the third part again, and then takes anything.
-        let ends = rows[3] == rows[2] || follows(3);
-        if let (Some(second), true, true) = (places[1], follows(2), ends) {
-            let others = self.loaded(Step::LoadFour(second - 1), width);
+        let first = places[1].and_then(|second| second.checked_sub(1));
+        if let (Some(first), true, true) = (first, follows(2), follows(3)) {
+            let others = self.loaded(Step::LoadFour(first), width);
             if follows(1) {
                 return others;
             }
@@ -63,7 +63,11 @@ impl Body<'_> {
         match &module.node(net).op {
             Op::Literal(bits) => Word::constant(*bits, width, self.size(width), &mut self.to),
             Op::Input => match self.scopes[scope].rows {
-                Some(rows) => self.gathered(rows, net, width),
+                Some(rows) => {
+                    // The last lane may be the third part again.
+                    let count = if rows[3] == rows[2] { 3 } else { 4 };
+                    self.side_by_side(rows.map(|row| (row, net)), count, width)
+                }
                 None if self.layout.is_top(module) => {
                     // As it was handed over: with anything above.
                     let input = Step::Input(self.size(width), input_index(module, net));
@@ -91,6 +95,9 @@ impl Body<'_> {
             }
             Op::Binary(binary, a, b) => self.binary(*binary, in_scope(a), in_scope(b), width),
             Op::Select(which, a, b) => {
+                if let Some(word) = self.looked_up(at, (scope, *which)) {
+                    return word;
+                }
                 let (which, a, b) = match self.inverse(in_scope(which)) {
                     Some(inverse) => (inverse, b, a),
                     None => (in_scope(which), a, b),
@@ -134,6 +141,53 @@ impl Body<'_> {
                 }
             }
             op => unreachable!("{op:?} is another name"),
+        }
+    }
+
+    /// Constants that are chosen by three bits of a word, the highest of which is this one.
+    fn looked_up(&mut self, chosen: Place, which: Place) -> Option<Word> {
+        let width = self.width(chosen);
+        let (index, top) = self.as_bit(which)?;
+        let low = top.checked_sub(2).filter(|_| width <= Size::Half.bits())?;
+        let mut table = [0; 8];
+        for (entry, place) in table.iter_mut().zip(0..) {
+            *entry = self.constant_at(chosen, (index, low), place)?;
+        }
+        let (from, size) = (self.word(index).value, self.size(width));
+        let index = match from.1 == size {
+            true => self.to.right(from, low),
+            false => self.to.narrowed(from, low),
+        };
+        Some(Word::new(self.to.lookup(table, index), width))
+    }
+
+    /// Which bit of another net a net is.
+    fn as_bit(&mut self, at: Place) -> Option<(Place, u32)> {
+        let (scope, net) = self.origin(at);
+        match self.scopes[scope].module.node(net) {
+            Node {
+                op: Op::Slice(a, low),
+                width: 1,
+                ..
+            } => Some((self.origin((scope, *a)), *low)),
+            _ => None,
+        }
+    }
+
+    /// What a net is where three bits of another, from one on, are those of a number; nothing else may choose.
+    fn constant_at(&mut self, at: Place, index: (Place, u32), bits: u32) -> Option<u64> {
+        let (scope, net) = self.origin(at);
+        match self.scopes[scope].module.node(net).op {
+            Op::Literal(word) => Some(word),
+            Op::Select(which, a, b) => {
+                let (chooses, bit) = self.as_bit((scope, which))?;
+                let bit = bit
+                    .checked_sub(index.1)
+                    .filter(|bit| *bit < 3 && chooses == index.0)?;
+                let chosen = if bits >> bit & 1 == 1 { a } else { b };
+                self.constant_at((scope, chosen), index, bits)
+            }
+            _ => None,
         }
     }
 

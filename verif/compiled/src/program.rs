@@ -104,13 +104,12 @@ impl Program {
 
     /// Does tasks with the words of an instance, one after the other; only others than the clock give words.
     pub(crate) fn run(&self, tasks: &[Task], work: &mut Work<'_>, spilled: &mut [u64]) {
-        let first = self.functions.len() - TASKS;
-        let functions = tasks.iter().map(|task| first + *task as usize);
         match &self.machine {
-            Some(machine) => machine.run(functions, work, spilled),
+            Some(machine) => machine.run(tasks, work, spilled),
             None => {
-                for function in functions {
-                    interpret::run(&self.functions, function, 0, work);
+                let first = self.functions.len() - TASKS;
+                for task in tasks {
+                    interpret::run(&self.functions, first + *task as usize, 0, work);
                 }
             }
         }

@@ -46,6 +46,7 @@ impl Split {
             Two(how, a, b) => self.each([a, b, b], |[a, b, _]| Two(how, a, b)),
             Left(a, count) => self.each([a; 3], |[a, ..]| Left(a, count)),
             Right(a, count) => self.each([a; 3], |[a, ..]| Right(a, count)),
+            Lookup(table, a) => self.each([a; 3], |[a, ..]| Lookup(table, a)),
             Select(which, then, or) => {
                 let which = self.tops(which, then.1);
                 let [then, or] = [then, or].map(|value| self.of(value));

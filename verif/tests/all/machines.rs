@@ -331,6 +331,28 @@ fn the_beam_machine_smooths_and_never_tears() {
     }
 }
 
+/// No frame mixes two scenes, whenever their words come, and none is left out.
+#[test]
+fn words_that_come_in_the_blanking_in_time_are_shown_behind_it() {
+    let machine = small("beam-160x120.toml", 16, 12, 60);
+    let images = in_turn(["crossing-cylinders.toml", "ellipsoid.toml"], &machine);
+    let clocks = 36 * 64;
+    let shown = (0..clocks).step_by(61).map(|late| {
+        let host = host(Engine::BuiltIn, None, late);
+        run(&machine, &images[..2], &host).shown
+    });
+    let shown: Vec<Vec<Option<usize>>> = shown.collect();
+    for frames in &shown {
+        let mut all = frames.clone();
+        all.dedup();
+        let wanted = [None, Some(0), Some(1)];
+        assert!(wanted.ends_with(&all), "{frames:?}");
+    }
+    let (early, late) = shown.split_at(shown.partition_point(|frames| frames[0] == Some(0)));
+    assert!(!early.is_empty() && late.len() > early.len(), "{shown:?}");
+    assert!(late.iter().all(|frames| frames[0].is_none()));
+}
+
 #[test]
 fn the_beam_machine_with_volumes() {
     let mut machine = small("beam-160x120.toml", 64, 48, 60);

@@ -10,6 +10,7 @@ use imogene_golden::machine::zone::beat::{Beat, kind};
 use imogene_golden::machine::zone::decode::presence;
 use imogene_plan::description::MachineDescription;
 use std::collections::HashMap;
+use std::iter::repeat_n;
 use std::path::Path;
 
 /// Images one after the other, again and again.
@@ -24,7 +25,7 @@ pub(super) struct Film {
     pub(super) stay: u64,
     /// Frames of the screen per second.
     pub(super) rate: f64,
-    /// What is shown while the words of the first image are on their way.
+    /// What is shown where the words of the first image come too late for the first frame.
     black: Vec<u8>,
 }
 
@@ -42,7 +43,7 @@ impl Film {
         let (views, seconds): (Vec<View>, Vec<f64>) = views.into_iter().unzip();
         let (stay, counts) = stays(&seconds, rate);
         let repeated = views.into_iter().zip(counts);
-        let views = repeated.flat_map(|(view, count)| std::iter::repeat_n((scene, view), count));
+        let views = repeated.flat_map(|(view, count)| repeat_n((scene, view), count));
         let views: Vec<(&Path, View)> = views.collect();
         let described = options.machine.as_deref().unwrap_or(scene);
         let images = images_of(&views, machine, described)?;
@@ -68,12 +69,11 @@ impl Film {
         self.pictures.len() as u64 * self.stay
     }
 
-    /// What a frame of the screen shows, counted from 0.
-    pub(super) fn picture(&self, frame: usize) -> &[u8] {
-        let Some(frame) = frame.checked_sub(1) else {
-            return &self.black;
-        };
-        &self.pictures[frame / self.stay as usize % self.pictures.len()]
+    /// What the frames of the screen show, behind so many black ones.
+    pub(super) fn frames_behind(&self, black: usize) -> impl Iterator<Item = &[u8]> {
+        let pictures = self.pictures.iter().map(Vec::as_slice);
+        let pictures = pictures.flat_map(|picture| repeat_n(picture, self.stay as usize));
+        repeat_n(self.black.as_slice(), black).chain(pictures.cycle())
     }
 }
 

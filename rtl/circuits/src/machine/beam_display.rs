@@ -32,11 +32,14 @@ pub fn beam_display(
     module("beam_display", at, inputs, |(beat, last, overlay)| {
         let colour = Colour::of([(); 3].map(|()| Bits::forward(LEVEL)));
         let (wanted, pins) = video_output("screen", colour, overlay, output, machine.latency());
+        // All words are at work before the first pixel is asked for.
+        let blanking = output.mode.retrace() - output.lead(machine.latency());
+        let patience = blanking.saturating_sub((1 << machine.loader_places) + 8);
         let loaded = frame_loader(
             "loader",
             beat,
             last,
-            wanted.retrace,
+            (wanted.retrace, patience),
             (machine.loader_places, 1),
         );
         let flags = Flags {

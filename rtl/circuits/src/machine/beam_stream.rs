@@ -52,7 +52,7 @@ pub fn beam_stream(
         let (pace, drain) = (machine.objects.words.clocks_per_pixel(), latency + 2);
         let frames = frame_scan("scan", (room, is_busy), groups, pace, drain.into());
         let kept = (machine.loader_places, modules);
-        let loaded = frame_loader("loader", beat, last, frames.retrace, kept);
+        let loaded = frame_loader("loader", beat, last, (frames.retrace, 0), kept);
         is_busy.drive(loaded.is_busy);
         let core = |at: &str, load| beam_core(at, frames.scan, (loaded.take, load), machine);
         let shaded = match loaded.chosen {

@@ -20,15 +20,16 @@ bundles! {
 /// machine in the vertical blanking, one per clock. Of several `modules` a command chooses those that the words behind
 /// it are for, the last one for those of the next frame too; other commands are ignored.
 ///
-/// After the last word `s_tready` is low until all words are copied. A `retrace` before the last word changes nothing:
-/// the frame before is drawn again, and no picture mixes two frames. n words are at work n + 7 clocks after `retrace`:
-/// registers stand between the memory and all processors, and before each of them.
+/// After the last word `s_tready` is low until all words are copied. If it does not come until `patience` clocks after
+/// `retrace`, the frame before is drawn again: no picture mixes two frames. In one blanking at most one frame is
+/// copied. n words are at work n + 7 clocks after `retrace`, or after a last word behind it: registers stand between
+/// the memory and all processors, and before each of them.
 /// Chaillou 1991, IV.4.5: the loading memory M2 and its automaton.
 pub fn frame_loader(
     at: &str,
     beat: Beat,
     last: Bits,
-    retrace: Bits,
+    (retrace, patience): (Bits, u64),
     (places, modules): (u32, u32),
 ) -> Loaded {
     let inputs = (("s", beat), ("s_tlast", last), ("retrace", retrace));
@@ -47,7 +48,7 @@ pub fn frame_loader(
             let is_kept = comes & !is_full;
             let gets_whole = is_kept & last;
             let refuses = comes & is_full & last;
-            let begins = retrace & is_whole & !is_copying;
+            let begins = Bits::forward(1);
             let next_copied = copied + count(1);
             // Filled before it is copied, and so known a clock later.
             let last_copied = (filled - count(1)).reg();
@@ -57,6 +58,11 @@ pub fn frame_loader(
             let written_place = join([beat.tdest, beat.tuser]);
             let take_late = ends.delay(5);
         }
+        let is_in_time = match patience {
+            0 => retrace,
+            _ => retrace | is_shortly_after(retrace, begins, patience),
+        };
+        begins.drive(is_in_time & is_whole & !is_copying);
         let next_filled = is_kept.select(filled + count(1), count(0));
         filled.load_when(is_kept | refuses | ends, next_filled);
         copied.load_when(is_copying | begins, begins.select(count(0), next_copied));
@@ -86,6 +92,20 @@ pub fn frame_loader(
             refused: refuses.reg(),
         }
     })
+}
+
+/// One of the clocks behind an event, as many as there is patience for, unless what it waits for is done.
+fn is_shortly_after(event: Bits, is_done: Bits, patience: u64) -> Bits {
+    let width = patience.ilog2() + 1;
+    let count = |value: u64| Bits::new(value, width);
+    net! {
+        let clocks_left = Bits::register(width);
+        let is_patient = !clocks_left.is(0);
+        let counted = event.select(count(patience), clocks_left - count(1));
+    }
+    let next = is_done.select(count(0), counted);
+    clocks_left.load_when(event | is_patient, next);
+    is_patient
 }
 
 /// The modules that a command has chosen.

@@ -57,6 +57,11 @@ impl Output {
         if self.has_overlay { OVERLAY_LATENCY } else { 0 }
     }
 
+    /// Clocks from asking for a pixel of a machine behind so many to the scan.
+    pub fn lead(&self, source: u32) -> u64 {
+        u64::from(source) + self.smoothing()
+    }
+
     /// Clocks by which the smoothing delays a picture: a line and a few pixels.
     fn smoothing(&self) -> u64 {
         match self.kernel {
@@ -94,7 +99,7 @@ pub fn video_output(
 ) -> (Wanted, Pins) {
     let inputs = (colour, ("overlay", bus));
     module("video_output", at, inputs, |(colour, bus)| {
-        let lead = u64::from(source) + shape.smoothing();
+        let lead = shape.lead(source);
         let screen = video_timing("timing", Bits::new(1, 1), &shape.mode, lead);
         let smooth = match shape.kernel {
             0 => colour,

@@ -2,8 +2,8 @@
 
 use super::{Home, Writer, input_at};
 use crate::assemble::{
-    BLOCK, GIVEN, LEFT, LOAD_INDEX, LOAD_SCALAR, LOAD_WHERE, Operand, PAIR, READ, REGISTERS, RIGHT,
-    SELECT_BY_MASK, STORE_SCALAR, WRITE,
+    BLOCK, GIVEN, LEFT, LOAD_INDEX, LOAD_SCALAR, LOAD_WHERE, LOOKUP, Operand, PAIR, READ,
+    REGISTERS, RIGHT, SELECT_BY_MASK, STORE_SCALAR, WRITE,
 };
 use crate::lanes::MOST_LANES;
 use crate::line::{Step, Value};
@@ -108,6 +108,12 @@ impl Writer<'_> {
                     Some(mask) => self.to.evex(SELECT_BY_MASK, into, or, then, mask),
                     None => self.to.select(size, into, which, then, or),
                 }
+            }
+            Step::Lookup(table, at) => {
+                let table = Home::Constant(self.constants.index(table));
+                let (from, table) = (self.fetch(at), self.place(table));
+                let into = self.result(index, step);
+                self.to.vex(LOOKUP, true, into, from, table);
             }
             Step::Read(place, at) => self.read(index, step, place, at),
             Step::Write(place, at, word) => {

@@ -73,6 +73,34 @@ fn rows(index: usize, number: u32, first: Bits, flag: Bits) -> Bits {
     last.0 ^ last.1.extend(width)
 }
 
+/// Constants that are chosen by the bits of a word from one on, the last of them in front or behind.
+fn chosen(by: Bits, width: u32, number: u32) -> Bits {
+    let count = (1 + number % 5).min(by.width());
+    let low = number / 8 % (by.width() - count + 1);
+    let most = u64::MAX >> (64 - width);
+    let word = |place: u32| {
+        u64::from(number | 1)
+            .wrapping_mul(0x9e37_79b9_7f4a_7c15)
+            .rotate_left(place * 11)
+            & most
+    };
+    let mut words: Vec<Bits> = (0..1 << count)
+        .map(|place| Bits::new(word(place), width))
+        .collect();
+    for level in 0..count {
+        let bit = if number & 0x100 == 0 {
+            level
+        } else {
+            count - 1 - level
+        };
+        let pairs = words.chunks(2);
+        words = pairs
+            .map(|pair| by.bit(low + bit).select(pair[1], pair[0]))
+            .collect();
+    }
+    words[0]
+}
+
 fn build(recipe: &[Vec<Step>], inputs: Vec<Any>) -> (&'static str, Vec<Bits>) {
     let mut values = inputs;
     for (index, step) in recipe[0].iter().enumerate() {
@@ -134,6 +162,7 @@ fn build(recipe: &[Vec<Step>], inputs: Vec<Any>) -> (&'static str, Vec<Bits>) {
             }
             25 => Any::Number(p),
             26 => Any::Word(Bits::new(u64::from(number) % (1 << width.min(20)), width)),
+            29 => Any::Word(chosen(b.word(), width, number)),
             28 | 30 => Any::Word(rows(index, number, x, z)),
             27 | 31..=34 => {
                 // A chain of registers that take words together, every third of them now and then.
