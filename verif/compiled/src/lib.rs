@@ -161,13 +161,15 @@ impl Simulation {
     /// With these inputs, or those that were set.
     fn run(&mut self, tasks: &[Task], rows: Option<&[&[i64]]>) {
         let (inputs, count) = (self.program.inputs, self.program.rows);
-        let mut own: [&[i64]; MOST_LANES] = [&[]; MOST_LANES];
-        let rows = rows.unwrap_or_else(|| {
-            for (place, row) in own.iter_mut().zip(self.rows.chunks_exact(inputs.max(1))) {
-                *place = row;
+        let own: [&[i64]; MOST_LANES];
+        let rows = match rows {
+            Some(rows) => rows,
+            None => {
+                let row = |lane: usize| &self.rows[lane.min(count - 1) * inputs..][..inputs];
+                own = std::array::from_fn(row);
+                &own[..count]
             }
-            &own[..count]
-        });
+        };
         let are_whole = rows.iter().all(|row| row.len() == inputs);
         assert!(are_whole, "a word for each input");
         let mut work = Work {
