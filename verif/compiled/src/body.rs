@@ -3,7 +3,7 @@
 //! A word is computed where it is first wanted.
 
 use crate::lanes::Lanes;
-use crate::layout::{Layout, Spot, whole};
+use crate::layout::{Block, Layout, Spot, whole};
 use crate::line::{Line, Step, Value};
 use crate::word::Word;
 use imogene_hdl::{Direction, Module, Net, Op};
@@ -107,10 +107,14 @@ impl<'d> Body<'d> {
         together
     }
 
+    pub(crate) fn block(&self, scope: usize) -> &'d Block {
+        let own = &self.scopes[scope];
+        self.layout.block(own.module, own.spot.lanes)
+    }
+
     /// The place of a word of a scope, by its number in the block.
     pub(crate) fn at(&self, scope: usize, word: usize) -> usize {
-        let own = &self.scopes[scope];
-        own.spot.place + word * own.spot.stride
+        self.scopes[scope].spot.word(word)
     }
 
     /// Where a net that is another name gets its bits, through the ports of instances.

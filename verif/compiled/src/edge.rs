@@ -19,7 +19,7 @@ const FEW: usize = 3;
 
 impl Body<'_> {
     /// All that a rising edge does: calls of what has a function of its own come last, for what it held is read before.
-    pub(crate) fn update(&mut self, function: &dyn Fn(&Arc<Module>) -> usize) {
+    pub(crate) fn update(&mut self, function: &dyn Fn(&Arc<Module>, Lanes) -> usize) {
         let (mut owned, mut called) = (vec![0], vec![]);
         let mut next = 0;
         while let Some(&scope) = owned.get(next) {
@@ -50,22 +50,22 @@ impl Body<'_> {
             }
         }
         self.registers(&owned);
-        for (module, place) in self.calls(&called) {
-            self.to.add(Step::Call(function(&module), place));
+        for (module, lanes, place) in self.calls(&called) {
+            self.to.add(Step::Call(function(&module, lanes), place));
         }
     }
 
     /// The functions that are called, and for which blocks: in one lane a call for each group.
-    fn calls(&self, called: &[usize]) -> Vec<(Arc<Module>, usize)> {
+    fn calls(&self, called: &[usize]) -> Vec<(Arc<Module>, Lanes, usize)> {
         match self.lanes {
             Lanes::One => {
                 let groups = self.layout.groups.iter();
-                let calls = groups.map(|group| (group.module.clone(), group.place));
+                let calls = groups.map(|group| (group.module.clone(), group.lanes, group.place));
                 calls.collect()
             }
             _ => {
                 let parts = called.iter().map(|part| &self.scopes[*part]);
-                let calls = parts.map(|part| (part.module.clone(), part.spot.place));
+                let calls = parts.map(|part| (part.module.clone(), self.lanes, part.spot.place));
                 calls.collect()
             }
         }
@@ -74,8 +74,7 @@ impl Body<'_> {
     fn hand_inputs(&mut self, part: usize) {
         for input in 0..self.inputs(part) {
             let value = self.input(part, input);
-            let block = self.layout.block(self.scopes[part].module);
-            let place = self.at(part, block.input(input));
+            let place = self.at(part, self.block(part).input(input));
             self.to.add(Step::Store(value, place));
         }
     }
@@ -83,7 +82,10 @@ impl Body<'_> {
     /// Inputs of parts that are in a group, of all its lanes at once.
     fn hand_inputs_side_by_side(&mut self, called: &[usize]) {
         let mut called = called.to_vec();
-        called.sort_by_key(|part| self.scopes[*part].spot.place);
+        called.sort_by_key(|part| {
+            let spot = self.scopes[*part].spot;
+            (spot.place, spot.lane)
+        });
         let mut called = called.as_slice();
         let layout = self.layout;
         for group in &layout.groups {
@@ -93,13 +95,49 @@ impl Body<'_> {
                 self.hand_inputs(part);
                 continue;
             }
-            let all = [0, 1, 2, 3].map(|lane| parts[lane.min(parts.len() - 1)]);
-            let inputs = group.module.ports_of(Direction::In).enumerate();
-            for (input, port) in inputs {
-                let nets = all.map(|part| (part, port.net));
-                let value = self.side_by_side(nets, parts.len(), port.width);
-                let value = self.to.in_four(value.value);
-                self.to.add(Step::Store(value, group.place + 4 * input));
+            for (input, port) in group.module.ports_of(Direction::In).enumerate() {
+                let net = |lane: usize| (parts[lane.min(parts.len() - 1)], port.net);
+                let place = self.at(parts[0], self.block(parts[0]).input(input));
+                let first = std::array::from_fn(net);
+                let last = std::array::from_fn(|lane| net(lane + 4));
+                let width = port.width;
+                match group.lanes {
+                    Lanes::Eight => self.hand_eight([first, last], parts.len(), width, place),
+                    _ => {
+                        let value = self.four(first, parts.len(), width);
+                        self.to.add(Step::Store(value, place));
+                    }
+                }
+            }
+        }
+    }
+
+    fn four(&mut self, nets: [Place; 4], count: usize, width: u32) -> Value {
+        let word = self.side_by_side(nets, count, width);
+        self.to.in_four(word.value)
+    }
+
+    /// An input of eight parts, the first four and the last.
+    fn hand_eight(&mut self, nets: [[Place; 4]; 2], count: usize, width: u32, place: usize) {
+        let size = Size::of(width, Lanes::Eight);
+        let all = std::array::from_fn(|lane| nets[lane / 4][lane % 4]);
+        if let (Size::Half, Some(from)) = (size, self.in_eight(&all, count)) {
+            let value = self.to.add(Step::LoadFour(from));
+            self.to.add(Step::Store(value, place));
+            return;
+        }
+        let [first, last] = nets;
+        let first = self.four(first, 4, width);
+        let last = self.four(last, count - 4, width);
+        match size {
+            Size::Whole => {
+                self.to.add(Step::Store(first, place));
+                self.to.add(Step::Store(last, place + 4));
+            }
+            Size::Half => {
+                let last = self.to.left(last, Size::Half.bits());
+                let both = self.to.once(Step::Blend(first, last));
+                self.to.add(Step::Store(both, place));
             }
         }
     }
@@ -198,7 +236,7 @@ impl Body<'_> {
     /// What a register takes; `known` is 1 in some lane.
     fn register(&mut self, (scope, index): Flop, known: Option<Place>) {
         let module = self.scopes[scope].module;
-        let place = self.at(scope, self.layout.block(module).register(index));
+        let place = self.at(scope, self.block(scope).register(index));
         let register = &module.registers[index];
         // It holds what it began with: nothing to store.
         let never = |net: Net| module.node(net).op == Op::Literal(0);
@@ -224,7 +262,7 @@ impl Body<'_> {
     /// A memory reads before it writes.
     fn memory(&mut self, scope: usize, index: usize) {
         let module = self.scopes[scope].module;
-        let place = self.at(scope, self.layout.block(module).memories[index]);
+        let place = self.at(scope, self.block(scope).memories[index]);
         let memory = &module.memories[index];
         // What was read before is wanted later.
         self.word((scope, memory.net));

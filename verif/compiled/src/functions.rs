@@ -7,7 +7,6 @@ use crate::line::{Line, Step};
 use crate::size::Size;
 use crate::split::split;
 use imogene_hdl::{Design, Direction, Module};
-use std::collections::HashMap;
 use std::sync::Arc;
 
 /// What a program is asked for: the rising edge, or what outputs or points give.
@@ -35,13 +34,12 @@ pub(crate) fn functions(
     read: [&[String]; 2],
 ) -> Vec<Function> {
     let modules = design.top.all();
-    let called = modules.iter().filter(|module| layout.is_called(module));
-    let called: Vec<&Arc<Module>> = called.collect();
-    let number: HashMap<*const Module, usize> = called
-        .iter()
-        .enumerate()
-        .map(|(index, module)| (Arc::as_ptr(module), index))
-        .collect();
+    let called = called(&modules, layout, lanes);
+    let number = |module: &Arc<Module>, lanes: Lanes| {
+        let mut called = called.iter();
+        let place = called.position(|(known, of)| Arc::ptr_eq(known, module) && *of == lanes);
+        place.expect("a function for what is called")
+    };
     let inputs = design.top.ports_of(Direction::In).count();
     let inputs = (!shares_inputs).then_some(inputs);
     let function = |line, lanes| match lanes {
@@ -53,15 +51,41 @@ pub(crate) fn functions(
     };
     let clock = |module, lanes| {
         let mut body = Body::new(layout, module, lanes);
-        body.update(&|part: &Arc<Module>| number[&Arc::as_ptr(part)]);
+        body.update(&number);
         function(body.to, lanes)
     };
-    let of_parts = called.iter().map(|module| clock(module, lanes.of_called()));
+    let of_parts = called.iter().map(|(module, lanes)| clock(module, *lanes));
     let mut functions: Vec<Function> = of_parts.collect();
     functions.push(clock(&design.top, lanes));
     let reading = |paths| function(reading(&design.top, layout, lanes, paths), lanes);
     functions.extend(read.map(reading));
     functions
+}
+
+/// The modules with functions of their own and their lanes, those that a module calls before it.
+fn called(modules: &[Arc<Module>], layout: &Layout, lanes: Lanes) -> Vec<(Arc<Module>, Lanes)> {
+    let groups = layout
+        .groups
+        .iter()
+        .map(|group| (group.module.all(), group.lanes));
+    let all: Vec<(Vec<Arc<Module>>, Lanes)> = match lanes {
+        Lanes::One => groups.collect(),
+        lanes => vec![(modules.to_vec(), lanes)],
+    };
+    let mut found: Vec<(Arc<Module>, Lanes)> = vec![];
+    for (modules, lanes) in all {
+        for module in modules
+            .into_iter()
+            .filter(|module| layout.is_called(module))
+        {
+            let is_this =
+                |(known, of): &(Arc<Module>, Lanes)| Arc::ptr_eq(known, &module) && *of == lanes;
+            if !found.iter().any(is_this) {
+                found.push((module, lanes));
+            }
+        }
+    }
+    found
 }
 
 /// What reads the nets at these paths.

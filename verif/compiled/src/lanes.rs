@@ -1,11 +1,11 @@
 //! How many runs of a module lie side by side.
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Lanes {
     One,
     /// Of parts of what runs in one lane.
     Four,
-    /// Of a whole program: vectors of four words, two for each net of more than 32 bits and one for every other.
+    /// Of parts likewise, or of a whole program: vectors of four words, two for each net of more than 32 bits and one for every other.
     Eight,
 }
 
@@ -28,11 +28,12 @@ impl Lanes {
         }
     }
 
-    /// Those of what is called by what has these.
-    pub(crate) fn of_called(self) -> Lanes {
+    /// All lanes of the parts of a program with these, its own in front.
+    pub(crate) fn with_those_of_parts(self) -> &'static [Lanes] {
         match self {
-            Lanes::One => Lanes::Four,
-            lanes => lanes,
+            Lanes::One => &[Lanes::One, Lanes::Four, Lanes::Eight],
+            Lanes::Four => &[Lanes::Four],
+            Lanes::Eight => &[Lanes::Eight],
         }
     }
 }

@@ -1,19 +1,22 @@
 //! Where the state of a design lies: a block of words for each instance, the blocks of its parts within it.
 //!
 //! The inputs of the whole lie elsewhere, those of each lane in a row. In four lanes each word lies as often, side by
-//! side; in eight lanes too, or in pairs of half words. Equal parts of what runs in one lane lie so, as many as there
-//! are, but for four at most: they run together. So do the small ones that stand in one module, as the rows of a root
-//! do: word by word those of all rows, so that what each row takes from the one before lies side by side too.
+//! side; in eight lanes too, or in pairs of half words. Equal parts of what runs in one lane lie so, in groups of eight
+//! and of four: they run together. So do the small ones that stand in one module, as the rows of a root do: word by word
+//! those of all rows, so that what each row takes from the one before lies side by side too.
 
 use crate::lanes::Lanes;
 use crate::size::{Size, blended};
 use crate::word::kept;
 use imogene_hdl::{Design, Direction, Module};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
 /// Modules with fewer nets, all parts counted, become part of what is around them: a call would cost more.
 const SMALL: usize = 60;
+
+/// Fewer equal parts are no faster in eight lanes than in four.
+const FOR_EIGHT: usize = 5;
 
 /// The block of a module, in vectors from its beginning.
 pub(crate) struct Block {
@@ -23,13 +26,10 @@ pub(crate) struct Block {
     /// Of each memory the word that is read; its words lie behind, then one that is always 0 and one for writes that
     /// count nothing.
     pub(crate) memories: Vec<usize>,
-    /// Of the block of each instance, in one lane and in more; in one lane those with functions lie in groups instead.
-    parts: [Vec<usize>; 2],
-    /// All words, likewise.
-    sizes: [usize; 2],
-    /// It has a function of its own.
-    is_called: bool,
-    nets: usize,
+    /// Of the block of each instance; in one lane those with functions lie in groups instead.
+    parts: Vec<usize>,
+    /// All words.
+    size: usize,
 }
 
 impl Block {
@@ -42,25 +42,40 @@ impl Block {
     }
 }
 
-/// Equal parts of what runs in one lane, four at most.
+/// A module, and where it stands: by the place of what is around it, and its number there.
+type Equal = (Arc<Module>, Vec<(usize, usize)>);
+
+/// Equal parts of what runs in one lane, no more than there are lanes.
 pub(crate) struct Group {
     pub(crate) module: Arc<Module>,
+    pub(crate) lanes: Lanes,
     pub(crate) place: usize,
     pub(crate) parts: usize,
 }
 
-/// Where the words of an instance lie: the first, and how far it is to the next.
+/// Where the words of an instance lie: the first, how far it is to the next, and which lane of its block it is.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Spot {
     pub(crate) place: usize,
     pub(crate) stride: usize,
+    pub(crate) lanes: Lanes,
+    pub(crate) lane: usize,
+}
+
+impl Spot {
+    /// The place of a whole word.
+    pub(crate) fn word(&self, index: usize) -> usize {
+        self.place + index * self.stride + self.lane
+    }
 }
 
 /// The blocks of all modules, and the groups of a design in one lane.
 pub(crate) struct Layout {
     /// The inputs of this module lie elsewhere.
     top: *const Module,
-    blocks: HashMap<*const Module, Block>,
+    /// Modules with functions of their own.
+    called: HashSet<*const Module>,
+    blocks: HashMap<(*const Module, Lanes), Block>,
     pub(crate) groups: Vec<Group>,
     /// Parts that lie among equal ones, by the place of what is around them, and their numbers there.
     grouped: HashMap<(usize, usize), Spot>,
@@ -73,31 +88,35 @@ pub(crate) struct Layout {
 impl Layout {
     pub(crate) fn of(design: &Design, lanes: Lanes) -> Layout {
         let modules = design.top.all();
-        let count = instances(&design.top, &modules);
         let mut layout = Layout {
             top: Arc::as_ptr(&design.top),
+            called: called(&design.top, &modules),
             blocks: HashMap::new(),
             groups: vec![],
             grouped: HashMap::new(),
             rows: HashMap::new(),
             size: 0,
         };
-        for module in &modules {
-            let is_shared = count[&Arc::as_ptr(module)] > 1;
-            let block = layout.new_block(module, is_shared, lanes);
-            layout.blocks.insert(Arc::as_ptr(module), block);
+        for &lanes in lanes.with_those_of_parts() {
+            for module in &modules {
+                let block = layout.new_block(module, lanes);
+                layout.blocks.insert((Arc::as_ptr(module), lanes), block);
+            }
         }
-        let sizes = layout.block(&design.top).sizes;
-        layout.size = sizes[usize::from(lanes != Lanes::One)] * lanes.in_vector();
+        layout.size = layout.block(&design.top, lanes).size * lanes.in_vector();
         if lanes == Lanes::One {
-            layout.group(&design.top, 0);
+            let mut found = vec![];
+            layout.find_called(&design.top, 0, &mut found);
+            for (module, parts) in &found {
+                layout.group(module, parts);
+            }
             // Rows are read four at a time, perhaps with words behind them.
             layout.size += 3;
         }
         layout
     }
 
-    fn new_block(&self, module: &Module, is_shared: bool, lanes: Lanes) -> Block {
+    fn new_block(&self, module: &Module, lanes: Lanes) -> Block {
         let mut size = 0;
         let take = |size: &mut usize, vectors: usize| {
             *size += vectors;
@@ -116,28 +135,24 @@ impl Layout {
         let memories = module.memories.iter();
         let memories = memories.map(|memory| take(&mut size, (memory.words + 3) * of_word));
         let memories = memories.collect();
-        let (mut sizes, mut nets) = ([size; 2], module.nodes.len());
-        let mut parts = [vec![], vec![]];
-        for instance in &module.instances {
-            let part = self.block(&instance.module);
-            let in_one = if part.is_called { 0 } else { part.sizes[0] };
-            parts[0].push(take(&mut sizes[0], in_one));
-            parts[1].push(take(&mut sizes[1], part.sizes[1]));
-            nets += part.nets;
-        }
+        let parts = module.instances.iter().map(|instance| {
+            let is_elsewhere = lanes == Lanes::One && self.is_called(&instance.module);
+            let part = self.block(&instance.module, lanes);
+            take(&mut size, if is_elsewhere { 0 } else { part.size })
+        });
+        let parts = parts.collect();
         Block {
             inputs,
             registers,
             memories,
             parts,
-            sizes,
-            is_called: is_shared && nets >= SMALL && module.is_clocked(),
-            nets,
+            size,
         }
     }
 
-    /// Gives a lane to each part with a function that is in a block, and to small parts that stand side by side.
-    fn group(&mut self, module: &Arc<Module>, place: usize) {
+    /// The parts with functions that are in a block of one lane, by their modules; small parts that stand side by side
+    /// get their places.
+    fn find_called(&mut self, module: &Arc<Module>, place: usize, found: &mut Vec<Equal>) {
         self.group_rows(module, place);
         for (index, instance) in module.instances.iter().enumerate() {
             let part = &instance.module;
@@ -145,31 +160,45 @@ impl Layout {
                 continue;
             }
             if !self.is_called(part) {
-                let place = place + self.block(module).parts[0][index];
-                self.group(part, place);
+                let place = place + self.block(module, Lanes::One).parts[index];
+                self.find_called(part, place, found);
                 continue;
             }
-            let is_open = |group: &&mut Group| Arc::ptr_eq(&group.module, part) && group.parts < 4;
-            let group = match self.groups.iter_mut().find(is_open) {
-                Some(group) => group,
-                None => {
-                    // Of four lanes, none of which is in two lines of a cache.
-                    let begin = self.size.next_multiple_of(4);
-                    self.size = begin + 4 * self.block(part).sizes[1];
-                    self.groups.push(Group {
-                        module: part.clone(),
-                        place: begin,
-                        parts: 0,
-                    });
-                    self.groups.last_mut().expect("a group")
-                }
+            match found.iter_mut().find(|(known, _)| Arc::ptr_eq(known, part)) {
+                Some((_, parts)) => parts.push((place, index)),
+                None => found.push((part.clone(), vec![(place, index)])),
+            }
+        }
+    }
+
+    /// Gives equal parts lanes, by the places of what is around them and their numbers there.
+    fn group(&mut self, module: &Arc<Module>, mut parts: &[(usize, usize)]) {
+        while !parts.is_empty() {
+            let lanes = if parts.len() < FOR_EIGHT {
+                Lanes::Four
+            } else {
+                Lanes::Eight
             };
-            let spot = Spot {
-                place: group.place + group.parts,
-                stride: 4,
-            };
-            self.grouped.insert((place, index), spot);
-            group.parts += 1;
+            let (together, others) = parts.split_at(parts.len().min(lanes.count()));
+            parts = others;
+            // No vector is in two lines of a cache.
+            let place = self.size.next_multiple_of(4);
+            self.size = place + 4 * self.block(module, lanes).size;
+            for (lane, part) in together.iter().enumerate() {
+                let spot = Spot {
+                    place,
+                    stride: 4,
+                    lanes,
+                    lane,
+                };
+                self.grouped.insert(*part, spot);
+            }
+            self.groups.push(Group {
+                module: module.clone(),
+                lanes,
+                place,
+                parts: together.len(),
+            });
         }
     }
 
@@ -190,12 +219,14 @@ impl Layout {
             let stride = 4 * rows.len();
             for (lane, index) in rows.as_flattened().iter().enumerate() {
                 let row = Spot {
-                    place: self.size + lane,
+                    place: self.size,
                     stride,
+                    lanes: Lanes::One,
+                    lane,
                 };
                 self.grouped.entry((place, *index)).or_insert(row);
             }
-            self.size += stride * self.block(part).sizes[1];
+            self.size += stride * self.block(part, Lanes::One).size;
             self.rows.entry(place).or_default().extend(rows);
         }
     }
@@ -205,8 +236,8 @@ impl Layout {
         self.rows.get(&place).map_or(&[], Vec::as_slice)
     }
 
-    pub(crate) fn block(&self, module: &Arc<Module>) -> &Block {
-        &self.blocks[&Arc::as_ptr(module)]
+    pub(crate) fn block(&self, module: &Arc<Module>, lanes: Lanes) -> &Block {
+        &self.blocks[&(Arc::as_ptr(module), lanes)]
     }
 
     pub(crate) fn is_top(&self, module: &Arc<Module>) -> bool {
@@ -214,7 +245,7 @@ impl Layout {
     }
 
     pub(crate) fn is_called(&self, module: &Arc<Module>) -> bool {
-        self.block(module).is_called
+        self.called.contains(&Arc::as_ptr(module))
     }
 
     /// Where an instance in a module lies, by where the module does.
@@ -223,7 +254,7 @@ impl Layout {
         if let Some(grouped) = among_others.filter(|_| spot.stride == 1) {
             return *grouped;
         }
-        let parts = &self.block(around).parts[usize::from(spot.stride > 1)];
+        let parts = &self.block(around, spot.lanes).parts;
         let place = spot.place + parts[index] * spot.stride;
         Spot { place, ..spot }
     }
@@ -232,13 +263,14 @@ impl Layout {
     pub(crate) fn registers(&self, top: &Arc<Module>, lanes: Lanes) -> Vec<Register> {
         let mut found = vec![];
         self.visit(top, whole(lanes), &mut |module, spot| {
-            let block = self.block(module);
+            let block = self.block(module, spot.lanes);
             let registers = module.registers.iter().enumerate();
             found.extend(registers.map(|(index, register)| {
                 let width = module.node(register.net).width;
                 Register {
                     place: spot.place + block.register(index) * spot.stride,
-                    size: Size::of(width, lanes),
+                    lane: spot.lane,
+                    size: Size::of(width, spot.lanes),
                     width,
                     initial: kept(register.initial, width),
                 }
@@ -251,12 +283,13 @@ impl Layout {
     pub(crate) fn contents(&self, top: &Arc<Module>, lanes: Lanes) -> Vec<(usize, u64)> {
         let mut found = vec![];
         self.visit(top, whole(lanes), &mut |module, spot| {
-            for (memory, place) in module.memories.iter().zip(&self.block(module).memories) {
+            let places = &self.block(module, spot.lanes).memories;
+            for (memory, place) in module.memories.iter().zip(places) {
                 // What was read last stands before the words.
-                let of_word = Size::Whole.vectors(lanes);
+                let of_word = Size::Whole.vectors(spot.lanes);
                 let places = (place + of_word..).step_by(of_word);
                 let words = memory.contents.iter().zip(places);
-                found.extend(words.map(|(word, place)| (spot.place + place * spot.stride, *word)));
+                found.extend(words.map(|(word, place)| (spot.word(place), *word)));
             }
         });
         found
@@ -273,13 +306,19 @@ impl Layout {
 
 /// Where the whole lies.
 pub(crate) fn whole(lanes: Lanes) -> Spot {
-    let stride = lanes.in_vector();
-    Spot { place: 0, stride }
+    Spot {
+        place: 0,
+        stride: lanes.in_vector(),
+        lanes,
+        lane: 0,
+    }
 }
 
 /// A register in the words of a design, in its first lane.
 pub(crate) struct Register {
+    /// Of the first lane of its block, and which one it is.
     pub(crate) place: usize,
+    lane: usize,
     pub(crate) size: Size,
     pub(crate) width: u32,
     pub(crate) initial: u64,
@@ -289,6 +328,7 @@ impl Register {
     /// Gives it another word in a lane, of which the low bits count.
     pub(crate) fn set(&self, words: &mut [u64], lane: usize, word: u64) {
         let (place, word) = (self.place, kept(word, self.width));
+        let lane = self.lane + lane;
         match self.size {
             Size::Whole => words[place + lane] = word,
             Size::Half => {
@@ -316,15 +356,23 @@ fn runs_alike(module: &Module) -> bool {
     module.memories.is_empty() && parts.all(|instance| runs_alike(&instance.module))
 }
 
-/// How often each module stands in a design.
-fn instances(top: &Arc<Module>, modules: &[Arc<Module>]) -> HashMap<*const Module, usize> {
-    let mut found: HashMap<*const Module, usize> = HashMap::from([(Arc::as_ptr(top), 1)]);
+/// The modules that stand more than once in a design and are not small.
+fn called(top: &Arc<Module>, modules: &[Arc<Module>]) -> HashSet<*const Module> {
+    let mut count: HashMap<*const Module, usize> = HashMap::from([(Arc::as_ptr(top), 1)]);
     // A module stands behind those in it.
     for module in modules.iter().rev() {
-        let around = found[&Arc::as_ptr(module)];
+        let around = count[&Arc::as_ptr(module)];
         for instance in &module.instances {
-            *found.entry(Arc::as_ptr(&instance.module)).or_default() += around;
+            *count.entry(Arc::as_ptr(&instance.module)).or_default() += around;
         }
     }
-    found
+    let mut nets: HashMap<*const Module, usize> = HashMap::new();
+    let called = modules.iter().filter(|module| {
+        let parts = module.instances.iter();
+        let parts = parts.map(|instance| nets[&Arc::as_ptr(&instance.module)]);
+        let all = module.nodes.len() + parts.sum::<usize>();
+        nets.insert(Arc::as_ptr(module), all);
+        count[&Arc::as_ptr(module)] > 1 && all >= SMALL && module.is_clocked()
+    });
+    called.map(Arc::as_ptr).collect()
 }

@@ -1,6 +1,8 @@
 //! What each operation of a circuit is in steps.
 
 use crate::body::{Body, Place, input_index};
+use crate::lanes::Lanes;
+use crate::layout::Spot;
 use crate::line::{Above, Line, Step, Two, Value};
 use crate::size::Size;
 use crate::word::Word;
@@ -8,12 +10,56 @@ use imogene_hdl::{Binary, Net, Node, Op};
 
 impl Body<'_> {
     fn load(&mut self, scope: usize, word: usize, width: u32) -> Word {
-        let place = self.at(scope, word);
-        let load = match self.scopes[scope].rows {
-            None => Step::Load(self.size(width), place),
-            Some(_) => Step::LoadFour(place),
+        let own = &self.scopes[scope];
+        let (place, spot) = (self.at(scope, word), own.spot);
+        match own.rows {
+            Some(_) => self.loaded(Step::LoadFour(place), width),
+            None if self.lanes == Lanes::One && Size::of(width, spot.lanes) == Size::Half => {
+                self.load_half(spot, word, width)
+            }
+            None => self.loaded(Step::Load(self.size(width), place), width),
+        }
+    }
+
+    /// A half word of one lane of eight.
+    fn load_half(&mut self, spot: Spot, word: usize, width: u32) -> Word {
+        let half = Size::Half.bits();
+        let place = spot.place + word * spot.stride + spot.lane % 4;
+        let load = self.to.add(Step::Load(Size::Whole, place));
+        let (value, high) = match spot.lane < 4 {
+            true => (load, self.to.left(load, half)),
+            false => (self.to.right(load, half), load),
         };
-        self.loaded(load, width)
+        match width {
+            1 => Word::new(value, 1).with_bit_on_top(high),
+            _ => Word::new(value, width),
+        }
+    }
+
+    /// The place of a whole word of one lane.
+    fn whole_word(&self, scope: usize, word: usize, width: u32) -> Option<usize> {
+        let spot = self.scopes[scope].spot;
+        (Size::of(width, spot.lanes) == Size::Whole).then(|| self.at(scope, word))
+    }
+
+    /// The place of the words of a net that eight parts of one group have, where these are the nets, in their order;
+    /// from the number of those that count on they may be any.
+    pub(crate) fn in_eight(&mut self, nets: &[Place; 8], count: usize) -> Option<usize> {
+        let origins = nets.map(|net| self.origin(net));
+        let mut places = origins
+            .iter()
+            .take(count)
+            .enumerate()
+            .map(|(lane, (scope, net))| {
+                let own = &self.scopes[*scope];
+                let Op::Register(index) = own.module.node(*net).op else {
+                    return None;
+                };
+                let is_there = own.spot.lanes == Lanes::Eight && own.spot.lane == lane;
+                is_there.then(|| self.at(*scope, self.block(*scope).register(index)) - lane)
+            });
+        let first = places.next()??;
+        places.all(|place| place == Some(first)).then_some(first)
     }
 
     fn loaded(&mut self, load: Step, width: u32) -> Word {
@@ -27,11 +73,13 @@ impl Body<'_> {
     /// first one.
     pub(crate) fn side_by_side(&mut self, nets: [Place; 4], count: usize, width: u32) -> Word {
         let origins = nets.map(|net| self.origin(net));
+        if count == 1 {
+            return Word::as_kept(self.kept(origins[0]), width);
+        }
         let places = origins.map(
             |(scope, net)| match self.scopes[scope].module.node(net).op {
                 Op::Register(index) => {
-                    let block = self.layout.block(self.scopes[scope].module);
-                    Some(self.at(scope, block.register(index)))
+                    self.whole_word(scope, self.block(scope).register(index), width)
                 }
                 _ => None,
             },
@@ -57,7 +105,7 @@ impl Body<'_> {
     pub(crate) fn compute(&mut self, at: Place) -> Word {
         let (scope, net) = at;
         let module = self.scopes[scope].module;
-        let block = self.layout.block(module);
+        let block = self.block(scope);
         let width = module.node(net).width;
         let in_scope = |net: &Net| (scope, *net);
         match &module.node(net).op {

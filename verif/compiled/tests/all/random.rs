@@ -73,6 +73,52 @@ fn rows(index: usize, number: u32, first: Bits, flag: Bits) -> Bits {
     last.0 ^ last.1.extend(width)
 }
 
+/// Widths in one vector of eight lanes, and in two.
+const OF_PAIRS: [u32; 5] = [1, 7, 32, 33, 64];
+
+fn fit(word: Bits, width: u32) -> Bits {
+    Any::Word(word).word_of(width)
+}
+
+/// More than sixty nets, which give registers.
+fn stage(words: &[Bits], own: Bits) -> Vec<Bits> {
+    let held = OF_PAIRS.iter().enumerate().map(|(index, &width)| {
+        let sum = fit(words[index], width) + fit(words[(index + 1) % 5], width);
+        let chosen = words[0].select(sum, sum ^ fit(own, width));
+        let last = (0..3).fold(chosen, |word, _| (word + fit(words[4], width)).reg());
+        let held = Bits::register(width).initially(1);
+        held.load(last);
+        held
+    });
+    held.collect()
+}
+
+/// Equal parts, each behind one of other equal parts, in their order or in another.
+fn pairs(index: usize, number: u32, word: Bits, flag: Bits) -> Bits {
+    let part = |name: &str, k: usize, words: Vec<Bits>| {
+        let inputs = (("word", words), ("own", Bits::new(k as u64, 4)));
+        let at = format!("{name}_{index}_{k}");
+        module(name, &at, inputs, |(words, own)| {
+            ("held", stage(&words, own))
+        })
+    };
+    let words = OF_PAIRS.map(|width| fit(word, width));
+    let words = [&[flag], &words[1..]].concat();
+    let count = 1 + number as usize % 14;
+    let firsts: Vec<Vec<Bits>> = (0..count)
+        .map(|k| part("front", k, words.clone()))
+        .collect();
+    let order = 1 + number as usize / 16 % 3;
+    let ends = (0..count).map(|k| {
+        let last = part("back", k, firsts[k * order % count].clone());
+        last[0].select(
+            fit(last[1] ^ last[2].low(7), 64),
+            fit(last[3], 64) ^ last[4],
+        )
+    });
+    ends.reduce(|a, b| a ^ b).expect("a pair")
+}
+
 /// Constants that are chosen by the bits of a word from one on, the last of them in front or behind.
 fn chosen(by: Bits, width: u32, number: u32) -> Bits {
     let count = (1 + number % 5).min(by.width());
@@ -162,6 +208,7 @@ fn build(recipe: &[Vec<Step>], inputs: Vec<Any>) -> (&'static str, Vec<Bits>) {
             }
             25 => Any::Number(p),
             26 => Any::Word(Bits::new(u64::from(number) % (1 << width.min(20)), width)),
+            36 => Any::Word(pairs(index, number, a.word_of(64), z)),
             29 => Any::Word(chosen(b.word(), width, number)),
             28 | 30 => Any::Word(rows(index, number, x, z)),
             27 | 31..=34 => {
@@ -176,12 +223,23 @@ fn build(recipe: &[Vec<Step>], inputs: Vec<Any>) -> (&'static str, Vec<Bits>) {
             _ if recipe.len() > 1 => {
                 let part = 1 + number as usize % (recipe.len() - 1);
                 let [one, other] = WIDTHS;
-                let ports = (("one", a.word_of(one)), ("other", b.number_of(other)));
-                let at = format!("part_{index}");
-                let outputs = module(&format!("module_{part}"), &at, ports, |(one, other)| {
-                    build(&recipe[part..], vec![Any::Word(one), Any::Number(other)])
+                // Many of a kind that has no others in it.
+                let count = if part + 1 == recipe.len() {
+                    number / 16 % 14
+                } else {
+                    0
+                };
+                let outputs = (0..=count).map(|k| {
+                    let (x, y) = if number >> k & 1 == 1 { (a, b) } else { (b, c) };
+                    let ports = (("one", x.word_of(one)), ("other", y.number_of(other)));
+                    let at = format!("part_{index}_{k}");
+                    let outputs = module(&format!("module_{part}"), &at, ports, |(one, other)| {
+                        build(&recipe[part..], vec![Any::Word(one), Any::Number(other)])
+                    });
+                    outputs[number as usize % outputs.len()]
                 });
-                Any::Word(outputs[number as usize % outputs.len()])
+                let outputs: Vec<Bits> = outputs.collect();
+                Any::Word(outputs.into_iter().reduce(|a, b| a ^ b).expect("a part"))
             }
             _ => a,
         };
@@ -218,7 +276,7 @@ fn design(recipe: &Recipe) -> Design {
 }
 
 fn steps(most: usize) -> impl Strategy<Value = Vec<Step>> {
-    let step = (0u8..36, any::<[usize; 3]>(), any::<u32>());
+    let step = (0u8..37, any::<[usize; 3]>(), any::<u32>());
     let step = step.prop_map(|(kind, from, number)| Step { kind, from, number });
     prop::collection::vec(step, 1..most)
 }
