@@ -57,21 +57,25 @@ pub fn run(options: &Demo, json: bool) -> Result {
 
     let golden = image.picture.clone();
     let pins = PinsRun::plain(Engine::BuiltIn);
-    let (outcome, mut inside) = std::thread::scope(|scope| {
+    let (outcome, inside) = std::thread::scope(|scope| {
         let outcome = scope.spawn(|| run_pins(&machine, &[image], &pins, || {}));
-        let inside = inside(&file, machine.format()?)?;
+        let mut inside = inside(&file, machine.format()?)?;
+        if let Some(trace) = inside.trace.take() {
+            trace.add_to(&mut files, &options.out.join("trace.vcd"))?;
+        }
+        write_pictures(&machine, (Some(&golden), None), &options.out, &mut files)?;
         let outcome = outcome
             .join()
             .unwrap_or_else(|panic| resume_unwind(panic))?;
         Ok::<_, Failure>((outcome, inside))
     })?;
-    let pictures = (Some(&golden[..]), Some(&outcome));
-    write_pictures(&machine, pictures, &options.out, &mut files)?;
     let pictures_identical = outcome.picture == golden;
-    let mut report = outcome.report;
-    if let Some(trace) = inside.trace.take() {
-        trace.add_to(&mut files, &options.out.join("trace.vcd"))?;
+    if outcome.picture.len() == golden.len() {
+        let size = [SCREEN.0, SCREEN.1].map(|side| side as usize);
+        let path = options.out.join("pins.png");
+        output::add_picture(&mut files, &path, size, &outcome.picture)?;
     }
+    let mut report = outcome.report;
     let seconds = report.seconds.max(inside.seconds);
     report.absorb(inside);
     report.timed(seconds);
