@@ -372,6 +372,8 @@ struct Surface {
     /// The first word of the linear part, and the last one of the quadratic part, which follows it.
     linear: usize,
     constant: usize,
+    /// The longest constant.
+    longest: i64,
     /// Of a volume.
     shift: Option<usize>,
 }
@@ -379,9 +381,11 @@ struct Surface {
 impl Surface {
     /// `None` if there are none.
     fn of(subject: &Subject) -> Option<Surface> {
+        let constant = place(subject, "f2_f")?;
         Some(Surface {
             linear: place(subject, "f1_a")?,
-            constant: place(subject, "f2_f")?,
+            constant,
+            longest: (1 << (subject.inputs[constant].width - 1)) - 1,
             shift: place(subject, "depth_shift"),
         })
     }
@@ -403,13 +407,18 @@ impl Surface {
         inputs[self.linear + 2] = if is_far { depth - root } else { depth + root };
     }
 
-    /// The same, and the visible point is near it: the lowest digit of the root decides.
+    /// The same, and the visible point is near it, or as far behind it as the margin is: the lowest digit of the root
+    /// decides, often of a long one.
     fn flatten(&self, inputs: &mut Inputs, is_far: bool, at: i64, width: u32) {
+        if at >> 2 & 3 == 0 {
+            inputs[self.constant] = at.rotate_left(20) & self.longest;
+        }
         let unit = self.shift.map_or(0, |place| inputs[place]);
         let end = 1i64 << (width - 1);
         let depth = ((at >> 2).rem_euclid(2 * end) - end) >> unit;
         self.level(inputs, (is_far, at), depth);
-        let point = (depth << unit) + inputs[DEPTH].rem_euclid(5 << unit) - (2 << unit);
+        let margin = (inputs[DEPTH] >> 7 & 1) * inputs[DEPTH + 1];
+        let point = (depth << unit) + margin + inputs[DEPTH].rem_euclid(5 << unit) - (2 << unit);
         inputs[DEPTH] = point.clamp(-end, end - 1);
     }
 }
