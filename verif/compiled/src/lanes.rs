@@ -5,7 +5,8 @@ pub(crate) enum Lanes {
     One,
     /// Of parts of what runs in one lane.
     Four,
-    /// Of parts likewise, or of a whole program: vectors of four words, two for each net of more than 32 bits and one for every other.
+    /// Of parts likewise, or of a whole program: vectors of four words, two for each net of more than 32 bits and one
+    /// for every other.
     Eight,
 }
 

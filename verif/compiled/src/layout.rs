@@ -2,8 +2,8 @@
 //!
 //! The inputs of the whole lie elsewhere, those of each lane in a row. In four lanes each word lies as often, side by
 //! side; in eight lanes too, or in pairs of half words. Equal parts of what runs in one lane lie so, in groups of eight
-//! and of four: they run together. So do the small ones that stand in one module, as the rows of a root do: word by word
-//! those of all rows, so that what each row takes from the one before lies side by side too.
+//! and of four: they run together. So do the small ones that stand in one module, as the rows of a root do: word by
+//! word those of all rows, so that what each row takes from the one before lies side by side too.
 
 use crate::lanes::Lanes;
 use crate::size::{Size, blended};

@@ -385,7 +385,7 @@ impl Surface {
         Some(Surface {
             linear: place(subject, "f1_a")?,
             constant,
-            longest: (1 << (subject.inputs[constant].width - 1)) - 1,
+            longest: i64::MAX >> (64 - subject.inputs[constant].width),
             shift: place(subject, "depth_shift"),
         })
     }
