@@ -98,13 +98,11 @@ impl Body<'_> {
             for (input, port) in group.module.ports_of(Direction::In).enumerate() {
                 let net = |lane: usize| (parts[lane.min(parts.len() - 1)], port.net);
                 let place = self.at(parts[0], self.block(parts[0]).input(input));
-                let first = std::array::from_fn(net);
-                let last = std::array::from_fn(|lane| net(lane + 4));
-                let width = port.width;
+                let (count, width) = (parts.len(), port.width);
                 match group.lanes {
-                    Lanes::Eight => self.hand_eight([first, last], parts.len(), width, place),
+                    Lanes::Eight => self.hand_eight(std::array::from_fn(net), count, width, place),
                     _ => {
-                        let value = self.four(first, parts.len(), width);
+                        let value = self.four(std::array::from_fn(net), count, width);
                         self.to.add(Step::Store(value, place));
                     }
                 }
@@ -117,18 +115,16 @@ impl Body<'_> {
         self.to.in_four(word.value)
     }
 
-    /// An input of eight parts, the first four and the last.
-    fn hand_eight(&mut self, nets: [[Place; 4]; 2], count: usize, width: u32, place: usize) {
+    /// An input of eight parts, of which the first so many count.
+    fn hand_eight(&mut self, nets: [Place; 8], count: usize, width: u32, place: usize) {
         let size = Size::of(width, Lanes::Eight);
-        let all = std::array::from_fn(|lane| nets[lane / 4][lane % 4]);
-        if let (Size::Half, Some(from)) = (size, self.in_eight(&all, count)) {
+        if let (Size::Half, Some(from)) = (size, self.in_eight(&nets, count)) {
             let value = self.to.add(Step::LoadFour(from));
             self.to.add(Step::Store(value, place));
             return;
         }
-        let [first, last] = nets;
-        let first = self.four(first, 4, width);
-        let last = self.four(last, count - 4, width);
+        let first = self.four(std::array::from_fn(|lane| nets[lane]), 4, width);
+        let last = self.four(std::array::from_fn(|lane| nets[lane + 4]), count - 4, width);
         match size {
             Size::Whole => {
                 self.to.add(Step::Store(first, place));
