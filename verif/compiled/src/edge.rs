@@ -8,7 +8,7 @@ use crate::lanes::Lanes;
 use crate::line::{Step, Two, Value};
 use crate::size::Size;
 use imogene_hdl::{Binary, Direction, Module, Net, Op};
-use std::collections::{HashMap, HashSet};
+use std::collections::{BTreeMap, HashMap, HashSet};
 use std::sync::Arc;
 
 /// A register: its scope, and its number there.
@@ -165,8 +165,13 @@ impl Body<'_> {
             }
         }
         let (regions, others) = self.regions(&ordered);
+        let moved = self.moved(&others);
         for at in others {
-            self.register(at, None);
+            match moved.get(&at) {
+                None => self.register(at, None),
+                Some(Some((words, place))) => _ = self.to.add(Step::Store(*words, *place)),
+                Some(None) => {}
+            }
         }
         for (enable, registers) in regions {
             let which = self.high(enable);
@@ -176,6 +181,44 @@ impl Body<'_> {
                 }
             });
         }
+    }
+
+    /// Registers that take what others hold, four at a time where both lie side by side: by the one that is the last to
+    /// be written, the words of the others and where they go.
+    fn moved(&mut self, registers: &[Flop]) -> HashMap<Flop, Option<(Value, usize)>> {
+        let moves = registers.iter().enumerate();
+        let moves = moves.filter_map(|(order, at)| Some((self.move_to(*at)?, (order, *at))));
+        let moves: BTreeMap<[usize; 2], (usize, Flop)> = moves.collect();
+        let moves: Vec<_> = moves.into_iter().collect();
+        let runs =
+            moves.chunk_by(|(before, _), (places, _)| before.map(|place| place + 1) == *places);
+        let mut moved = HashMap::new();
+        for four in runs.flat_map(|run| run.rchunks_exact(4)) {
+            let ([to, from], _) = four[0];
+            let words = self.to.add(Step::LoadFour(from));
+            let last = four.iter().map(|(_, register)| register).max();
+            moved.extend(four.iter().map(|(_, (_, at))| (*at, None)));
+            moved.extend(last.map(|(_, at)| (*at, Some((words, to)))));
+        }
+        moved
+    }
+
+    /// Where a register of one lane is that takes what another one holds, and that one.
+    fn move_to(&mut self, (scope, index): Flop) -> Option<[usize; 2]> {
+        let own = &self.scopes[scope];
+        let register = &own.module.registers[index];
+        let is_alone = self.lanes == Lanes::One && own.rows.is_none();
+        if !is_alone || register.enable.is_some() {
+            return None;
+        }
+        let (from, net) = self.origin((scope, register.next?));
+        let Op::Register(source) = self.scopes[from].module.node(net).op else {
+            return None;
+        };
+        let width = self.width((from, net));
+        let place =
+            |(scope, index)| self.whole_word(scope, self.block(scope).register(index), width);
+        Some([place((scope, index))?, place((from, source))?])
     }
 
     /// What the registers of a scope hold, and of all parts in it.

@@ -37,7 +37,7 @@ impl Body<'_> {
     }
 
     /// The place of a whole word of one lane.
-    fn whole_word(&self, scope: usize, word: usize, width: u32) -> Option<usize> {
+    pub(crate) fn whole_word(&self, scope: usize, word: usize, width: u32) -> Option<usize> {
         let spot = self.scopes[scope].spot;
         (Size::of(width, spot.lanes) == Size::Whole).then(|| self.at(scope, word))
     }

@@ -119,6 +119,25 @@ fn pairs(index: usize, number: u32, word: Bits, flag: Bits) -> Bits {
     ends.reduce(|a, b| a ^ b).expect("a pair")
 }
 
+/// A word that is late by many clocks, some of its ways seen and some of them held, or several words that are late
+/// together.
+fn delayed(x: Bits, y: Bits, number: u32) -> Bits {
+    if number % 3 == 0 {
+        let words = [x, y, x + y, x ^ y, x - y].map(|word| word.reg());
+        let late = (0..number / 3 % 4).fold(words, |words, _| words.map(|word| word.reg()));
+        return late.into_iter().fold(y, |sum, word| sum + word);
+    }
+    let delay = (0..number / 3 % 20).fold((x.reg(), y), |(word, sum), k| {
+        let [is_seen, is_held] = [1, 5].map(|some| number >> k & some == some);
+        let next = match is_held {
+            true => word.reg_when(y.bit(k % y.width())),
+            false => word.reg(),
+        };
+        (next, if is_seen { sum + word } else { sum })
+    });
+    delay.0 ^ delay.1
+}
+
 /// Constants that are chosen by the bits of a word from one on, the last of them in front or behind.
 fn chosen(by: Bits, width: u32, number: u32) -> Bits {
     let count = (1 + number % 5).min(by.width());
@@ -180,7 +199,7 @@ fn build(recipe: &[Vec<Step>], inputs: Vec<Any>) -> (&'static str, Vec<Bits>) {
             17 => Any::Word(x.extend(64.min(width + number % 30))),
             18 => Any::Word(a.word_of(most) * b.word_of(most)),
             19 => Any::Number(a.number_of(most) * b.number_of(most)),
-            20 => Any::Word(x.reg()),
+            20 => Any::Word(delayed(x, y, number)),
             21 => Any::Number(p.reg_when(z)),
             22 => {
                 let sum = Bits::register(width);
