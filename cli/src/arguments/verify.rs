@@ -171,6 +171,9 @@ pub struct Mutate {
     /// Clocks of each of them, about; the raster of a screen runs over two frames at least.
     #[arg(long, default_value_t = 150, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000_000))]
     pub clocks: u32,
+    /// Conflicts after which the solver gives a mutant up, which survives then.
+    #[arg(long, default_value_t = 10_000, value_name = "N", value_parser = clap::value_parser!(u64).range(10..=10_000_000))]
+    pub effort: u64,
     /// All words of so many bits are run in the end, for what can differ for these alone, of a unit with one input.
     #[arg(long, default_value_t = 24, value_name = "BITS", value_parser = clap::value_parser!(u32).range(24..=32))]
     pub word_bits: u32,

@@ -28,6 +28,7 @@ pub fn run(options: &Mutate, json: bool) -> Result {
         mutants: options.netlist.unwrap_or_default() as usize,
         stimuli: options.stimuli.unwrap_or(stimuli),
         clocks: options.clocks as usize,
+        effort: options.effort,
         word_bits: options.word_bits,
         ..Options::default()
     };
@@ -50,8 +51,22 @@ pub fn run(options: &Mutate, json: bool) -> Result {
             None => (String::new(), table::OF_CIRCUITS),
             Some(mutants) => (format!(" --netlist {mutants}"), table::OF_NETLISTS),
         };
+        let usual = Options::default();
+        let effort = [
+            ("effort", options.effort, usual.effort),
+            (
+                "word-bits",
+                options.word_bits.into(),
+                usual.word_bits.into(),
+            ),
+        ];
+        let effort = effort.map(|(name, value, usual)| match value == usual {
+            true => String::new(),
+            false => format!(" --{name} {value}"),
+        });
+        let effort = effort.concat();
         let command = format!(
-            "imogene mutate {} --format {}{}{kind} --stimuli {} --clocks {} --out {}",
+            "imogene mutate {} --format {}{}{kind} --stimuli {} --clocks {}{effort} --out {}",
             options.unit.join(","),
             output::joined(&options.format, ","),
             options.others,

@@ -5,7 +5,7 @@
 
 use crate::frame::{CONTROL, Reached, Word, bit_of, constant, less};
 use crate::gates::{Bit, Gates, NO, YES};
-use crate::solve::possible;
+use crate::solve::{CONFLICTS, possible};
 use imogene_hdl::Levels;
 use std::collections::HashMap;
 
@@ -88,7 +88,7 @@ fn proven(of: &mut Reached, mut facts: Vec<Fact>) -> Option<Vec<Fact>> {
         let after = |register: usize| &of.clock.end.registers[register];
         let broken = facts.iter().map(|fact| !fact.holds(&mut of.gates, after));
         let broken: Vec<Bit> = broken.collect();
-        let is_broken = possible(&of.gates, NO, &broken, &assumed)?;
+        let is_broken = possible(&of.gates, CONFLICTS, NO, &broken, &assumed)?;
         if !is_broken.contains(&true) {
             return Some(facts);
         }

@@ -10,8 +10,9 @@ use crate::frame::{Begin, End, Reached, Word, free, zip};
 use crate::gates::{Bit, Gates, NO};
 use crate::held::Held;
 use crate::known::Known;
-use crate::solve::{CONFLICTS, FEW, Verdict, any_differs, equality, possible};
+use crate::solve::{Verdict, any_differs, equality, possible};
 use std::collections::HashSet;
+use std::sync::OnceLock;
 
 /// Clocks from a difference to where it is gone.
 pub(crate) const CLOCKS: usize = 10;
@@ -41,6 +42,8 @@ pub(crate) struct Fading {
     assumed: Vec<Bit>,
     /// Registers without controls.
     registers: Vec<usize>,
+    /// The circuit from power-up on, over these clocks, and over the latency and these.
+    first: [OnceLock<Option<Unrolled>>; 2],
 }
 
 impl Fading {
@@ -69,6 +72,7 @@ impl Fading {
             flow,
             assumed,
             registers: of.registers.clone(),
+            first: Default::default(),
         })
     }
 
@@ -122,7 +126,7 @@ impl Fading {
         let made = state.map(|(place, (good, bad))| (place, gates.xor(good, bad)));
         let made = made.filter(|(_, differs)| *differs != NO);
         let (places, differ): (Vec<Place>, Vec<Bit>) = made.unzip();
-        let can = possible(&gates, shows, &differ, &assumed)?;
+        let can = possible(&gates, known.effort, shows, &differ, &assumed)?;
         Some(places.into_iter().zip(can).collect())
     }
 
@@ -150,27 +154,30 @@ impl Fading {
     /// From power-up on, is all equal but what may differ, in the first clocks or once the latency passed, and is
     /// nothing shown before?
     pub(crate) fn begins_alike(&self, known: &Known, upsets: &[Upset], found: &Differing) -> bool {
-        let mut before = [0, known.latency].into_iter();
-        before.any(|clocks| {
-            let is_same = self.is_same_behind(clocks, known, upsets, found);
-            is_same == Some(true)
+        let mut before = [0, known.latency].into_iter().zip(&self.first);
+        before.any(|(clocks, first)| {
+            let first = first.get_or_init(|| {
+                let mut gates = Gates::new();
+                let power_up = Begin::at_power_up(&self.flow.begin(0).levels, &mut gates);
+                Unrolled::new(&gates, &power_up, clocks + CLOCKS, |_, _, _| ())
+            });
+            let first = first.as_ref();
+            first.is_some_and(|first| self.is_same_behind(clocks, first, known, upsets, found))
         })
     }
 
-    /// The same where all is equal from so many clocks behind power-up on; `None` if they are too many.
+    /// The same where all is equal from so many clocks behind power-up on.
     fn is_same_behind(
         &self,
         clocks: usize,
+        first: &Unrolled,
         known: &Known,
         upsets: &[Upset],
         found: &Differing,
-    ) -> Option<bool> {
-        let mut gates = Gates::new();
-        let power_up = Begin::at_power_up(&self.flow.begin(0).levels, &mut gates);
-        let first = Unrolled::new(&gates, &power_up, clocks + CLOCKS, |_, _, _| ())?;
+    ) -> bool {
         let zeros = first.zeros(&known.zeros);
         let begins = |gates: &mut Gates, register, words: [&Word; 2]| {
-            found.settled(gates, register, words, &zeros)
+            found.settled((gates, known.effort), register, words, &zeros)
         };
         let (mut gates, ends) = first.with_state(upsets, &[], begins);
         let last = ends.iter().skip(clocks);
@@ -179,16 +186,16 @@ impl Fading {
         for end in &ends {
             pairs.extend(self.shown(known, end, &mut gates));
         }
-        Some(equality(pairs, &zeros, &mut gates, CONFLICTS) == Verdict::Equivalent)
+        equality(pairs, &zeros, &mut gates, known.effort) == Verdict::Equivalent
     }
 }
 
 impl Differing {
     /// What a register of the mutant begins a clock with: its own word, but for bits of the circuit where they are made
-    /// of others that differ and are proven to be equal.
+    /// of others that differ and are proven to be equal, with a tenth of the effort: there are many of them.
     pub(crate) fn settled(
         &self,
-        gates: &mut Gates,
+        (gates, effort): (&mut Gates, u64),
         register: usize,
         words: [&Word; 2],
         assumed: &[Bit],
@@ -196,7 +203,7 @@ impl Differing {
         let pairs = zip(words[0], words[1]).into_iter().enumerate();
         let near = pairs.filter(|(bit, _)| self.near.contains(&(register, *bit)));
         let near = near.map(|(_, pair)| pair).collect();
-        match equality(near, assumed, gates, FEW) {
+        match equality(near, assumed, gates, effort / 10) {
             Verdict::Equivalent => mixed(register, words, |place| !self.near.contains(place)),
             _ => words[1].clone(),
         }

@@ -1,6 +1,6 @@
 //! And gates with inverters, equal ones once.
 
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 use std::ops::Not;
 use std::sync::Arc;
 
@@ -39,7 +39,7 @@ impl Not for Bit {
 struct Table {
     /// Operands, those of a gate before it; two times 0 is an input.
     gates: Vec<[Bit; 2]>,
-    known: HashMap<[Bit; 2], Bit>,
+    known: FxHashMap<[Bit; 2], Bit>,
 }
 
 #[derive(Clone)]
@@ -61,7 +61,11 @@ impl Gates {
     pub(crate) fn frozen(self) -> Gates {
         let mut all = Arc::unwrap_or_clone(self.shared);
         all.gates.extend(self.own.gates);
-        all.known.extend(self.own.known);
+        let mut fewer = self.own.known;
+        if fewer.len() > all.known.len() {
+            std::mem::swap(&mut fewer, &mut all.known);
+        }
+        all.known.extend(fewer);
         Gates {
             shared: Arc::new(all),
             own: Table::default(),

@@ -16,7 +16,7 @@ use crate::idle::fix;
 use crate::known::Known;
 use crate::phases::Phases;
 use crate::rest::Rest;
-use crate::solve::{CONFLICTS, FEW, Verdict, equality};
+use crate::solve::{Verdict, equality};
 use imogene_hdl::Levels;
 use std::collections::{HashMap, HashSet};
 use std::sync::{Arc, OnceLock};
@@ -88,7 +88,7 @@ impl Judge {
     /// Is the mutant that upsets make proven to be none with half the effort? Where inputs are held while the
     /// circuit works, only one clock is tried.
     pub fn is_soon_same(&self, upsets: &[Upset]) -> bool {
-        let few = CONFLICTS / 2;
+        let few = self.known.effort / 2;
         if self.work.is_none() {
             return self.by_clocks(upsets, few) == Verdict::Equivalent;
         }
@@ -104,9 +104,9 @@ impl Judge {
 
     /// What is known of the mutant that upsets make.
     pub fn judge(&self, upsets: &[Upset]) -> Verdict {
-        let verdict = self.by_clocks(upsets, CONFLICTS);
+        let verdict = self.by_clocks(upsets, self.known.effort);
         let phases = self.known.phases.as_ref();
-        let is_same = |phases: &Phases| phases.are_same(&self.of, upsets);
+        let is_same = |phases: &Phases| phases.are_same(&self.of, self.known.effort, upsets);
         let is_equivalent =
             verdict == Verdict::Equivalent || phases.is_some_and(is_same) || self.fades(upsets);
         match is_equivalent {
@@ -179,7 +179,8 @@ impl Judge {
             let beyond = word.iter().skip(*bits as usize);
             let is_long = beyond.fold(NO, |any, bit| gates.or(any, *bit));
             let assumed = [&self.of.assumed[..], &[is_long]].concat();
-            equality(pairs.clone(), &assumed, &mut gates, CONFLICTS) == Verdict::Equivalent
+            let verdict = equality(pairs.clone(), &assumed, &mut gates, self.known.effort);
+            verdict == Verdict::Equivalent
         })
     }
 
@@ -224,7 +225,8 @@ impl Judge {
         let bad = work.with(upsets, [], &mut gates);
         let pairs = state_pairs(&self.of.registers, &work.end, &bad);
         let pairs = pairs.chain(zip(&work.end.outputs, &bad.outputs)).collect();
-        if equality(pairs, &self.of.assumed, &mut gates, CONFLICTS) == Verdict::Equivalent {
+        let verdict = equality(pairs, &self.of.assumed, &mut gates, self.known.effort);
+        if verdict == Verdict::Equivalent {
             return self.begins_alike(upsets, None);
         }
         let make = || Fading::of(&self.of, &self.known, Some(&self.known.held));
@@ -251,14 +253,14 @@ impl Judge {
         let first = faded.map(|(fading, found)| fading.begins(start.begin(0), &found.bits));
         let zeros = start.zeros(&self.known.zeros);
         let begins = |gates: &mut Gates, register, words: [&Word; 2]| {
-            differing.settled(gates, register, words, &zeros)
+            differing.settled((gates, self.known.effort), register, words, &zeros)
         };
         let (mut gates, ends) = start.with_state(upsets, &first.unwrap_or_default(), begins);
         let last = ends.iter().rev().take(more + 1);
         let state = last.flat_map(|end| fading::state(&self.of.registers, end, &differing.bits));
         let state = state.map(|(_, pair)| pair);
         let pairs = self.results(&ends).chain(state).collect();
-        let conflicts = if faded.is_some() { CONFLICTS } else { FEW };
+        let conflicts = self.known.effort / if faded.is_some() { 1 } else { 10 };
         equality(pairs, &zeros, &mut gates, conflicts) == Verdict::Equivalent
     }
 
@@ -266,7 +268,7 @@ impl Judge {
     fn is_same_from_rest(&self, upsets: &[Upset]) -> bool {
         let make = || Rest::of(&self.of, &self.known.idle, self.known.latency);
         let rest = self.rest.get_or_init(make).as_ref();
-        rest.is_some_and(|rest| rest.is_same(upsets))
+        rest.is_some_and(|rest| rest.is_same(self.known.effort, upsets))
     }
 
     /// The outputs from the beginning of the work on: before the first result nothing counts but the first output,

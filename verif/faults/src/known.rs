@@ -45,6 +45,8 @@ pub struct Known {
     zeros_beside: Vec<((usize, u64), (usize, u32))>,
     /// What never changes.
     pub(crate) constants: Constants,
+    /// Conflicts after which the solver gives a mutant up.
+    pub(crate) effort: u64,
     remainders: Vec<[usize; 2]>,
     restores: bool,
     facts: Vec<Fact>,
@@ -96,6 +98,7 @@ impl Known {
         });
         let begins: Vec<Vec<(usize, u64)>> = begins.collect();
         let mut known = Known {
+            effort: CONFLICTS,
             remainders: pairs.collect(),
             restores: contract.restores,
             facts: vec![],
@@ -129,6 +132,11 @@ impl Known {
             known.held = Held::of(&levels, begins, inputs, contract.latency);
         }
         known
+    }
+
+    /// The same, where the solver gives a mutant up after so many conflicts.
+    pub fn with_effort(self, effort: u64) -> Known {
+        Known { effort, ..self }
     }
 
     /// How many remainders are proven to be what they must.

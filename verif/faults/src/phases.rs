@@ -82,11 +82,11 @@ impl Phases {
         None
     }
 
-    /// Does a mutant show nothing that counts?
-    pub(crate) fn are_same(&self, of: &Reached, upsets: &[Upset]) -> bool {
+    /// Does a mutant show nothing that counts, as far as so many conflicts tell?
+    pub(crate) fn are_same(&self, of: &Reached, conflicts: u64, upsets: &[Upset]) -> bool {
         let mut alike: Alike = vec![None; of.registers.len()];
         for _ in 0..ATTEMPTS {
-            let Some(broken) = self.broken(of, upsets, &alike) else {
+            let Some(broken) = self.broken(of, conflicts, upsets, &alike) else {
                 return false;
             };
             if broken.is_empty() {
@@ -104,7 +104,13 @@ impl Phases {
 
     /// What a clock may break before which all is alike that has to be; `None` if an output may show it, or if the
     /// solver gives up.
-    fn broken(&self, of: &Reached, upsets: &[Upset], alike: &Alike) -> Option<Vec<Goal>> {
+    fn broken(
+        &self,
+        of: &Reached,
+        conflicts: u64,
+        upsets: &[Upset],
+        alike: &Alike,
+    ) -> Option<Vec<Goal>> {
         let (levels, mut gates) = (&of.begin.levels, of.gates.clone());
         let before = |index: usize| of.begin.register(of.registers[index]);
         let phases_before = self.phases(&mut gates, before);
@@ -143,7 +149,7 @@ impl Phases {
         }
         goals.retain(|(_, broken)| *broken != NO);
         let (goals, bits): (Vec<Goal>, Vec<Bit>) = goals.into_iter().unzip();
-        let can = possible(&gates, shows, &bits, &assumed)?;
+        let can = possible(&gates, conflicts, shows, &bits, &assumed)?;
         let broken = goals.into_iter().zip(can).filter(|(_, can)| *can);
         Some(broken.map(|(goal, _)| goal).collect())
     }

@@ -8,7 +8,7 @@ use crate::flow::Unrolled;
 use crate::frame::{Begin, Frame, Reached, Word, free, state_pairs, zip};
 use crate::gates::{Gates, NO};
 use crate::idle::Idle;
-use crate::solve::{CONFLICTS, Verdict, equality};
+use crate::solve::{Verdict, equality};
 
 /// A clock of rest, and the work from there.
 pub(crate) struct Rest {
@@ -68,14 +68,14 @@ impl Rest {
         }
     }
 
-    /// Does a mutant do the same?
-    pub(crate) fn is_same(&self, upsets: &[Upset]) -> bool {
+    /// Does a mutant do the same, as far as so many conflicts tell?
+    pub(crate) fn is_same(&self, conflicts: u64, upsets: &[Upset]) -> bool {
         let mut gates = self.gates.clone();
         let bad = (self.clock).with(upsets, self.dead.iter().cloned(), &mut gates);
         let pairs = state_pairs(&self.kept, &self.clock.end, &bad);
         let outputs = zip(&self.clock.end.outputs, &bad.outputs);
         let pairs = pairs.chain(outputs).collect();
-        if equality(pairs, &[], &mut gates, CONFLICTS) != Verdict::Equivalent {
+        if equality(pairs, &[], &mut gates, conflicts) != Verdict::Equivalent {
             return false;
         }
         let (mut gates, ends) = self.work.with(upsets, &self.dead);
@@ -83,6 +83,6 @@ impl Rest {
         let outputs = outputs.flat_map(|[good, bad]| zip(&good.outputs, &bad.outputs));
         let [good, bad] = ends.last().expect("there is a first clock");
         let pairs = outputs.chain(state_pairs(&self.kept, good, bad)).collect();
-        equality(pairs, &[], &mut gates, CONFLICTS) == Verdict::Equivalent
+        equality(pairs, &[], &mut gates, conflicts) == Verdict::Equivalent
     }
 }

@@ -3,11 +3,8 @@
 use crate::gates::{Bit, Gates, NO};
 use batsat::{Callbacks, ClauseKind, Lit, Solver, SolverInterface, SolverOpts, lbool};
 
-/// Conflicts after which the solver gives up.
+/// Conflicts after which the solver gives up, if nothing else is asked for.
 pub const CONFLICTS: u64 = 10_000;
-
-/// Fewer, for each of the many questions at the beginning of the work.
-pub(crate) const FEW: u64 = CONFLICTS / 10;
 
 /// Stops the solver: each conflict teaches it a clause.
 struct Effort {
@@ -101,14 +98,15 @@ pub(crate) fn ask(
 }
 
 /// Can each of these bits be 1 in some case in which others are 1? `None` if one that is never to be 1 can be, or if
-/// the solver gives up.
+/// the solver gives up, which it does after so many conflicts without a new case.
 pub(crate) fn possible(
     gates: &Gates,
+    conflicts: u64,
     never: Bit,
     wanted: &[Bit],
     assumed: &[Bit],
 ) -> Option<Vec<bool>> {
-    let mut clauses = Clauses::of(gates, assumed, CONFLICTS);
+    let mut clauses = Clauses::of(gates, assumed, conflicts);
     if never != NO {
         let literal = clauses.literal(never);
         if clauses.solver.solve_limited(&[literal]) != lbool::FALSE {
@@ -124,7 +122,7 @@ pub(crate) fn possible(
         let open = wanted.iter().zip(&found).filter(|(_, found)| !**found);
         let mut open: Vec<Lit> = open.map(|(literal, _)| *literal).collect();
         clauses.solver.add_clause_reuse(&mut open);
-        clauses.solver.cb_mut().left = CONFLICTS;
+        clauses.solver.cb_mut().left = conflicts;
         let answer = clauses.solver.solve_limited(&[]);
         if answer == lbool::FALSE {
             return Some(found);

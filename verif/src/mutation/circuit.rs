@@ -10,7 +10,7 @@ use super::vectors::{Vectors, vectors};
 use crate::subject::Subject;
 use imogene_compiled::{Program, Simulation};
 use imogene_faults::{
-    CONFLICTS, Contract, Controls, Judge, Key, Known, Mutant, Site, Upset, Verdict, power_up, sites,
+    Contract, Controls, Judge, Key, Known, Mutant, Site, Upset, Verdict, power_up, sites,
 };
 use imogene_hdl::Design;
 use rayon::prelude::*;
@@ -60,11 +60,12 @@ pub fn run(
         counts_with: counts_with(subject, options),
         ..contract(subject, design)
     };
-    let known = Known::new(design, &contract);
+    let known = Known::new(design, &contract).with_effort(options.effort);
     let mut report = MutationReport::of(&subject.name, &subject.options);
     let campaign = Campaign {
         subject,
         clocks: options.clocks,
+        effort: options.effort,
         bare: Arc::new(Program::on_one_stimulus(design, &[])),
         on_done: &on_done,
     };
@@ -118,6 +119,7 @@ pub fn run(
 struct Campaign<'a, F> {
     subject: &'a Subject,
     clocks: usize,
+    effort: u64,
     /// The circuit as it is.
     bare: Arc<Program>,
     on_done: &'a F,
@@ -191,7 +193,9 @@ impl<F: Fn() + Sync> Campaign<'_, F> {
                 verdict
             });
             let verdicts: Vec<Verdict> = verdicts.collect();
-            group.reasons = verdicts.iter().map(|verdict| reason(*verdict)).collect();
+            let reasons = verdicts.iter();
+            let reasons = reasons.map(|verdict| reason(*verdict, self.effort));
+            group.reasons = reasons.collect();
             group.keep(|place| verdicts[place] != Verdict::Equivalent);
             verdicts.len() - group.mutants.len()
         });
@@ -242,10 +246,10 @@ impl<F: Fn() + Sync> Campaign<'_, F> {
 }
 
 /// What is known of a mutant that no stimulus killed.
-fn reason(verdict: Verdict) -> String {
+fn reason(verdict: Verdict, effort: u64) -> String {
     match verdict {
         Verdict::Undecided => format!(
-            "Undecided: no stimulus found a difference, and no proof within {CONFLICTS} conflicts"
+            "Undecided: no stimulus found a difference, and no proof within {effort} conflicts"
         ),
         _ => "It differs in some state; no stimulus came to one whose outputs show it".into(),
     }

@@ -2,6 +2,7 @@
 
 use crate::engine::design::DesignError;
 use crate::subject::Subject;
+use imogene_faults::CONFLICTS;
 use imogene_tools::{FileError, ToolError};
 use serde::Serialize;
 use std::time::Instant;
@@ -18,6 +19,8 @@ pub struct Options {
     pub stimuli: u64,
     /// Clocks of each.
     pub clocks: usize,
+    /// Conflicts after which the solver gives a mutant up.
+    pub effort: u64,
     /// Bits of the words of which all are run in the end, for what can differ for these alone.
     pub word_bits: u32,
     /// Seconds for one attempt to prove one mutant equivalent.
@@ -44,6 +47,7 @@ impl Default for Options {
             seed: 1,
             stimuli: 150,
             clocks: 150,
+            effort: CONFLICTS,
             word_bits: 24,
             proof_seconds: 120,
         }

@@ -49,8 +49,8 @@ began, or that no output that counts shows it before it is gone or while a flag 
 killed among the killed and the surviving.
 
 A mutant runs on up to 20 000 stimuli of 150 clocks; where a counter needs longer ones, on as many clocks. Proofs are
-tried after 150 stimuli with half the effort, and after 3 000. The solver gives up after 10 000 conflicts, or earlier,
-and a mutant of which it knows nothing survives.
+tried after 150 stimuli with half the effort, and after 3 000. The solver gives up after 10 000 conflicts, or as many as
+`--effort` says, or earlier, and a mutant of which it knows nothing survives.
 
 A score below 100 % says that the stimulus is too weak, that the unit's contract leaves an input open, or that the
 proof needs to know more of the states that are never reached.
