@@ -152,7 +152,7 @@ pub struct Mutate {
     #[arg(value_delimiter = ',', required = true)]
     pub unit: Vec<String>,
     /// Mutants of what this machine is made of beside its units.
-    #[arg(long, value_name = "FILE.toml", conflicts_with_all = ["format", "parameters", "netlist", "clocks", "out"])]
+    #[arg(long, value_name = "FILE.toml", conflicts_with_all = ["format", "parameters", "netlist", "clocks", "out", "word_bits"])]
     pub machine: Option<PathBuf>,
     /// Depth words in bits, 8 to 32, with commas between.
     #[arg(long, default_value = "16", value_name = "W,...", value_delimiter = ',', value_parser = depth_word)]
@@ -162,7 +162,7 @@ pub struct Mutate {
     pub others: Parameters,
     /// Mutants of the emitted Verilog by Yosys, of each unit at most this many, in the place of every mutant of the
     /// circuit; `all` are ten units.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    #[arg(long, value_name = "N", conflicts_with_all = ["effort", "word_bits"], value_parser = clap::value_parser!(u32).range(1..=100_000))]
     pub netlist: Option<u32>,
     /// Stimuli that a mutant is run on at most; a proof is tried after 150. [default: 20000, with --netlist 150, runs
     /// of a machine 8]

@@ -94,6 +94,7 @@ fn of_machine(path: &Path, options: &Mutate, json: bool) -> Result {
         machine: &machine,
         images: &images,
         runs: options.stimuli.unwrap_or(8),
+        effort: options.effort,
     };
     let design = mutants::design(&machine, &images)?;
     let name = path.file_stem().unwrap_or_default().to_string_lossy();

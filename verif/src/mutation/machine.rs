@@ -42,6 +42,8 @@ pub struct Shown<'a> {
     /// Runs that a mutant is tried in at most: the first without a stall, in each other one host and receiver stall
     /// where its seed says so.
     pub runs: u64,
+    /// Conflicts after which the solver gives a mutant up.
+    pub effort: u64,
 }
 
 /// The circuit of a machine that shows these images.
@@ -73,6 +75,7 @@ pub fn run(
     let of_sites = of_sites.flat_map_iter(|(module, sites)| {
         let module_alone = alone(module);
         let known = Known::new(&module_alone, &around.contract(module));
+        let known = known.with_effort(shown.effort);
         let groups = sites.chunks(GROUP).map(|sites| {
             let controls = Controls::new(design, sites);
             let alone = alone_judge(&module_alone, &known, sites);

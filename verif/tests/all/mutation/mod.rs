@@ -203,6 +203,7 @@ fn machine_score(machine: &MachineDescription, images: &[Image]) -> Result<Mutat
         machine,
         images,
         runs: 2,
+        effort: 1_000,
     };
     let design = of_machine::design(machine, images).expect("a legal machine");
     let report = MutationReport::of("beam", "");
