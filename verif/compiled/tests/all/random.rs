@@ -122,7 +122,7 @@ fn pairs(index: usize, number: u32, word: Bits, flag: Bits) -> Bits {
 /// A word that is late by many clocks, some of its ways seen and some of them held, or several words that are late
 /// together.
 fn delayed(x: Bits, y: Bits, number: u32) -> Bits {
-    if number % 3 == 0 {
+    if number.is_multiple_of(3) {
         let words = [x, y, x + y, x ^ y, x - y].map(|word| word.reg());
         let late = (0..number / 3 % 4).fold(words, |words, _| words.map(|word| word.reg()));
         return late.into_iter().fold(y, |sum, word| sum + word);
