@@ -52,7 +52,7 @@ pub fn run(options: &Mutate, json: bool) -> Result {
             Some(mutants) => (format!(" --netlist {mutants}"), table::OF_NETLISTS),
         };
         let usual = Options::default();
-        let effort = [
+        let unusual = [
             ("effort", options.effort, usual.effort),
             (
                 "word-bits",
@@ -60,13 +60,13 @@ pub fn run(options: &Mutate, json: bool) -> Result {
                 usual.word_bits.into(),
             ),
         ];
-        let effort = effort.map(|(name, value, usual)| match value == usual {
+        let unusual = unusual.map(|(name, value, usual)| match value == usual {
             true => String::new(),
             false => format!(" --{name} {value}"),
         });
-        let effort = effort.concat();
+        let unusual = unusual.concat();
         let command = format!(
-            "imogene mutate {} --format {}{}{kind} --stimuli {} --clocks {}{effort} --out {}",
+            "imogene mutate {} --format {}{}{kind} --stimuli {} --clocks {}{unusual} --out {}",
             options.unit.join(","),
             output::joined(&options.format, ","),
             options.others,

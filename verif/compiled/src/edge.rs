@@ -8,7 +8,7 @@ use crate::lanes::Lanes;
 use crate::line::{Step, Two, Value};
 use crate::size::Size;
 use imogene_hdl::{Binary, Direction, Module, Net, Op};
-use std::collections::{BTreeMap, HashMap, HashSet};
+use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
 /// A register: its scope, and its number there.
@@ -188,8 +188,8 @@ impl Body<'_> {
     fn moved(&mut self, registers: &[Flop]) -> HashMap<Flop, Option<(Value, usize)>> {
         let moves = registers.iter().enumerate();
         let moves = moves.filter_map(|(order, at)| Some((self.move_to(*at)?, (order, *at))));
-        let moves: BTreeMap<[usize; 2], (usize, Flop)> = moves.collect();
-        let moves: Vec<_> = moves.into_iter().collect();
+        let mut moves: Vec<([usize; 2], (usize, Flop))> = moves.collect();
+        moves.sort_unstable();
         let runs =
             moves.chunk_by(|(before, _), (places, _)| before.map(|place| place + 1) == *places);
         let mut moved = HashMap::new();
