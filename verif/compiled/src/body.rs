@@ -3,7 +3,7 @@
 //! A word is computed where it is first wanted.
 
 use crate::lanes::Lanes;
-use crate::layout::{Block, Layout, Spot, whole};
+use crate::layout::{Apart, Block, Layout, Spot, whole};
 use crate::line::{Line, Step, Value};
 use crate::word::Word;
 use imogene_hdl::{Direction, Module, Net, Op};
@@ -60,6 +60,13 @@ impl<'d> Body<'d> {
         body
     }
 
+    /// Of a part that runs apart.
+    pub(crate) fn apart(layout: &'d Layout, apart: &'d Apart) -> Body<'d> {
+        let mut body = Body::new(layout, &apart.module, Lanes::One);
+        body.scopes[0].spot.place = apart.place;
+        body
+    }
+
     fn open(
         &mut self,
         module: &'d Arc<Module>,
@@ -91,6 +98,7 @@ impl<'d> Body<'d> {
         // Rows that run together are no part of what runs alone.
         let is_own = around.is_own
             && !self.layout.is_called(module)
+            && self.layout.apart(spot).is_none()
             && (rows.is_some() || around.spot.stride == spot.stride);
         let part = self.open(module, spot, Some((scope, index)), is_own);
         self.scopes[scope].parts[index] = Some(part);

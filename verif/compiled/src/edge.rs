@@ -19,55 +19,54 @@ const FEW: usize = 3;
 
 impl Body<'_> {
     /// All that a rising edge does: calls of what has a function of its own come last, for what it held is read before.
+    /// In one lane these are not called from here, but behind it.
     pub(crate) fn update(&mut self, function: &dyn Fn(&Arc<Module>, Lanes) -> usize) {
-        let (mut owned, mut called) = (vec![0], vec![]);
+        let (mut found, mut called) = (vec![0], vec![]);
         let mut next = 0;
-        while let Some(&scope) = owned.get(next) {
+        while let Some(&scope) = found.get(next) {
             next += 1;
             for (index, instance) in self.scopes[scope].module.instances.iter().enumerate() {
                 if !instance.module.is_clocked() {
                     continue;
                 }
                 let part = self.part(scope, index);
+                let own = &self.scopes[part];
                 if self.layout.is_called(&instance.module) {
                     called.push(part);
-                } else if self.scopes[part].is_own {
-                    owned.push(part);
+                } else if own.is_own || own.spot.stride == 1 {
+                    found.push(part);
                 }
             }
-            if self.lanes == Lanes::One && self.scopes[scope].rows.is_none() {
-                let rows = self.layout.rows(self.scopes[scope].spot.place);
-                owned.extend(rows.iter().map(|rows| self.rows(scope, *rows)));
+            let own = &self.scopes[scope];
+            if self.lanes == Lanes::One && own.rows.is_none() && own.is_own {
+                let rows = self.layout.rows(own.spot.place);
+                found.extend(rows.iter().map(|rows| self.rows(scope, *rows)));
             }
         }
         match self.lanes {
-            Lanes::One => self.hand_inputs_side_by_side(&called),
+            Lanes::One => {
+                self.hand_inputs_apart(&found);
+                self.hand_inputs_side_by_side(&called);
+            }
             _ => called.iter().for_each(|part| self.hand_inputs(*part)),
         }
+        let owned: Vec<usize> = found
+            .into_iter()
+            .filter(|scope| self.scopes[*scope].is_own)
+            .collect();
         for &scope in &owned {
             for index in 0..self.scopes[scope].module.memories.len() {
                 self.memory(scope, index);
             }
         }
         self.registers(&owned);
-        for (module, lanes, place) in self.calls(&called) {
-            self.to.add(Step::Call(function(&module, lanes), place));
+        if self.lanes == Lanes::One {
+            return;
         }
-    }
-
-    /// The functions that are called, and for which blocks: in one lane a call for each group.
-    fn calls(&self, called: &[usize]) -> Vec<(Arc<Module>, Lanes, usize)> {
-        match self.lanes {
-            Lanes::One => {
-                let groups = self.layout.groups.iter();
-                let calls = groups.map(|group| (group.module.clone(), group.lanes, group.place));
-                calls.collect()
-            }
-            _ => {
-                let parts = called.iter().map(|part| &self.scopes[*part]);
-                let calls = parts.map(|part| (part.module.clone(), self.lanes, part.spot.place));
-                calls.collect()
-            }
+        for part in called {
+            let own = &self.scopes[part];
+            let function = function(own.module, self.lanes);
+            self.to.add(Step::Call(function, own.spot.place));
         }
     }
 
@@ -79,34 +78,61 @@ impl Body<'_> {
         }
     }
 
-    /// Inputs of parts that are in a group, of all its lanes at once.
-    fn hand_inputs_side_by_side(&mut self, called: &[usize]) {
-        let mut called = called.to_vec();
-        called.sort_by_key(|part| {
-            let spot = self.scopes[*part].spot;
-            (spot.place, spot.lane)
-        });
-        let mut called = called.as_slice();
+    /// Inputs of parts that run apart from the whole, and whether some are new.
+    fn hand_inputs_apart(&mut self, found: &[usize]) {
         let layout = self.layout;
-        for group in &layout.groups {
-            let (parts, others) = called.split_at(group.parts);
-            called = others;
-            if let [part] = parts[..] {
-                self.hand_inputs(part);
+        for &part in found.iter().filter(|part| **part != 0) {
+            let spot = self.scopes[part].spot;
+            let Some(apart) = layout.apart(spot) else {
                 continue;
+            };
+            let mut news = self.to.constant(Size::Whole, 0);
+            for input in 0..self.inputs(part) {
+                let value = self.input(part, input);
+                let place = self.at(part, self.block(part).input(input));
+                news = self.store_news(Step::Load(Size::Whole, place), value, place, news);
             }
+            self.to.add(Step::Store(news, apart.news));
+        }
+    }
+
+    /// Stores an input; with those before, the bits in which it is another than it was.
+    fn store_news(&mut self, before: Step, value: Value, place: usize, news: Value) -> Value {
+        let before = self.to.add(before);
+        let differs = self.to.two(Two::Xor, before, value.read_as(Size::Whole));
+        self.to.add(Step::Store(value, place));
+        self.to.two(Two::Or, news, differs)
+    }
+
+    /// Inputs of parts that are in a group, of all its lanes at once, and whether some are new.
+    fn hand_inputs_side_by_side(&mut self, called: &[usize]) {
+        let (layout, own) = (self.layout, self.scopes[0].spot.place);
+        for group in layout.groups_of(own) {
+            let parts = called
+                .iter()
+                .copied()
+                .filter(|part| self.scopes[*part].spot.place == group.place);
+            let mut parts: Vec<usize> = parts.collect();
+            parts.sort_by_key(|part| self.scopes[*part].spot.lane);
+            let mut news = self.to.constant(Size::Whole, 0);
             for (input, port) in group.module.ports_of(Direction::In).enumerate() {
                 let net = |lane: usize| (parts[lane.min(parts.len() - 1)], port.net);
                 let place = self.at(parts[0], self.block(parts[0]).input(input));
                 let (count, width) = (parts.len(), port.width);
-                match group.lanes {
-                    Lanes::Eight => self.hand_eight(std::array::from_fn(net), count, width, place),
-                    _ => {
-                        let value = self.four(std::array::from_fn(net), count, width);
-                        self.to.add(Step::Store(value, place));
-                    }
+                let words = match (count, group.lanes) {
+                    (1, _) => vec![self.input(parts[0], input)],
+                    (_, Lanes::Eight) => self.eight(std::array::from_fn(net), count, width),
+                    _ => vec![self.four(std::array::from_fn(net), count, width)],
+                };
+                for (value, place) in words.into_iter().zip((place..).step_by(4)) {
+                    let before = match count {
+                        1 => Step::Load(Size::Whole, place),
+                        _ => Step::LoadFour(place),
+                    };
+                    news = self.store_news(before, value, place, news);
                 }
             }
+            self.to.add(Step::Store(news, group.news));
         }
     }
 
@@ -115,25 +141,19 @@ impl Body<'_> {
         self.to.in_four(word.value)
     }
 
-    /// An input of eight parts, of which the first so many count.
-    fn hand_eight(&mut self, nets: [Place; 8], count: usize, width: u32, place: usize) {
+    /// The vectors of an input of eight parts, of which the first so many count.
+    fn eight(&mut self, nets: [Place; 8], count: usize, width: u32) -> Vec<Value> {
         let size = Size::of(width, Lanes::Eight);
         if let (Size::Half, Some(from)) = (size, self.in_eight(&nets, count)) {
-            let value = self.to.add(Step::LoadFour(from));
-            self.to.add(Step::Store(value, place));
-            return;
+            return vec![self.to.add(Step::LoadFour(from))];
         }
         let first = self.four(std::array::from_fn(|lane| nets[lane]), 4, width);
         let last = self.four(std::array::from_fn(|lane| nets[lane + 4]), count - 4, width);
         match size {
-            Size::Whole => {
-                self.to.add(Step::Store(first, place));
-                self.to.add(Step::Store(last, place + 4));
-            }
+            Size::Whole => vec![first, last],
             Size::Half => {
                 let last = self.to.left(last, Size::Half.bits());
-                let both = self.to.once(Step::Blend(first, last));
-                self.to.add(Step::Store(both, place));
+                vec![self.to.once(Step::Blend(first, last))]
             }
         }
     }

@@ -25,7 +25,8 @@ pub(crate) struct Function {
     pub(crate) lanes: Lanes,
 }
 
-/// The functions of a design with these outputs and points, those of the tasks last.
+/// The functions of a design with these outputs and points: those of modules, one for each part apart, one for each
+/// group that calls one of those, and those of the tasks.
 pub(crate) fn functions(
     design: &Design,
     layout: &Layout,
@@ -56,6 +57,16 @@ pub(crate) fn functions(
     };
     let of_parts = called.iter().map(|(module, lanes)| clock(module, *lanes));
     let mut functions: Vec<Function> = of_parts.collect();
+    for apart in &layout.apart {
+        let mut body = Body::apart(layout, apart);
+        body.update(&number);
+        functions.push(function(body.to, Lanes::One));
+    }
+    for group in &layout.groups {
+        let mut line = Line::default();
+        line.add(Step::Call(number(&group.module, group.lanes), group.place));
+        functions.push(function(line, Lanes::One));
+    }
     functions.push(clock(&design.top, lanes));
     let reading = |paths| function(reading(&design.top, layout, lanes, paths), lanes);
     functions.extend(read.map(reading));

@@ -4,12 +4,16 @@
 //! side; in eight lanes too, or in pairs of half words. Equal parts of what runs in one lane lie so, in groups of eight
 //! and of four: they run together. So do the small ones that stand in one module, as the rows of a root do: word by
 //! word those of all rows, so that what each row takes from the one before lies side by side too.
+//!
+//! Large parts of what runs in one lane have functions of their own too, for the words where they lie.
 
 use crate::lanes::Lanes;
+use crate::rest::Part;
 use crate::size::{Size, blended};
 use crate::word::kept;
 use imogene_hdl::{Design, Direction, Module};
 use std::collections::{HashMap, HashSet};
+use std::ops::Range;
 use std::sync::Arc;
 
 /// Modules with fewer nets, all parts counted, become part of what is around them: a call would cost more.
@@ -17,6 +21,12 @@ const SMALL: usize = 60;
 
 /// Fewer equal parts are no faster in eight lanes than in four.
 const FOR_EIGHT: usize = 5;
+
+/// Parts with so many nets that are not in functions run apart, so that they may rest while the remainder runs.
+const APART: usize = 200;
+
+/// Words that tell whether an input is new.
+const NEWS: usize = 4;
 
 /// The block of a module, in vectors from its beginning.
 pub(crate) struct Block {
@@ -51,6 +61,24 @@ pub(crate) struct Group {
     pub(crate) lanes: Lanes,
     pub(crate) place: usize,
     pub(crate) parts: usize,
+    /// Its words.
+    words: Range<usize>,
+    /// Not all 0 in a clock in which some input is new.
+    pub(crate) news: usize,
+    /// The places of what is around each of them.
+    around: Vec<usize>,
+    /// The place of the part apart in which all of them are, or of the whole.
+    pub(crate) owner: usize,
+}
+
+/// A large part of what runs in one lane.
+pub(crate) struct Apart {
+    pub(crate) module: Arc<Module>,
+    pub(crate) place: usize,
+    /// The words of its block.
+    words: Range<usize>,
+    /// Not 0 in a clock in which some input is new.
+    pub(crate) news: usize,
 }
 
 /// Where the words of an instance lie: the first, how far it is to the next, and which lane of its block it is.
@@ -77,10 +105,13 @@ pub(crate) struct Layout {
     called: HashSet<*const Module>,
     blocks: HashMap<(*const Module, Lanes), Block>,
     pub(crate) groups: Vec<Group>,
+    pub(crate) apart: Vec<Apart>,
     /// Parts that lie among equal ones, by the place of what is around them, and their numbers there.
     grouped: HashMap<(usize, usize), Spot>,
     /// Of the parts in the module at a place those that run together, four at a time.
     rows: HashMap<usize, Vec<[usize; 4]>>,
+    /// Their words, by that place.
+    words_of_rows: Vec<(usize, Range<usize>)>,
     /// All words.
     pub(crate) size: usize,
 }
@@ -93,8 +124,10 @@ impl Layout {
             called: called(&design.top, &modules),
             blocks: HashMap::new(),
             groups: vec![],
+            apart: vec![],
             grouped: HashMap::new(),
             rows: HashMap::new(),
+            words_of_rows: vec![],
             size: 0,
         };
         for &lanes in lanes.with_those_of_parts() {
@@ -105,6 +138,8 @@ impl Layout {
         }
         layout.size = layout.block(&design.top, lanes).size * lanes.in_vector();
         if lanes == Lanes::One {
+            let most = layout.own_nets(&design.top) * 3 / 4;
+            layout.find_apart(&design.top, 0, most);
             let mut found = vec![];
             layout.find_called(&design.top, 0, &mut found);
             for (module, parts) in &found {
@@ -150,6 +185,38 @@ impl Layout {
         }
     }
 
+    /// The nets of a module that are in no function of their own.
+    fn own_nets(&self, module: &Module) -> usize {
+        let parts = module.instances.iter().map(|instance| &instance.module);
+        let parts = parts.filter(|part| !self.is_called(part));
+        module.nodes.len() + parts.map(|part| self.own_nets(part)).sum::<usize>()
+    }
+
+    /// The large parts that are in a block of one lane: none of more nets than that, and none in another.
+    fn find_apart(&mut self, module: &Arc<Module>, place: usize, most: usize) {
+        for (index, instance) in module.instances.iter().enumerate() {
+            let part = &instance.module;
+            let nets = self.own_nets(part);
+            if self.is_called(part) || nets < APART {
+                continue;
+            }
+            let block = self.block(module, Lanes::One).parts[index];
+            let place = place + block;
+            if nets > most {
+                self.find_apart(part, place, most);
+                continue;
+            }
+            let news = self.size;
+            self.size += NEWS;
+            self.apart.push(Apart {
+                module: part.clone(),
+                place,
+                words: place..place + self.block(part, Lanes::One).size,
+                news,
+            });
+        }
+    }
+
     /// The parts with functions that are in a block of one lane, by their modules; small parts that stand side by side
     /// get their places.
     fn find_called(&mut self, module: &Arc<Module>, place: usize, found: &mut Vec<Equal>) {
@@ -183,7 +250,11 @@ impl Layout {
             parts = others;
             // No vector is in two lines of a cache.
             let place = self.size.next_multiple_of(4);
-            self.size = place + 4 * self.block(module, lanes).size;
+            let news = place + 4 * self.block(module, lanes).size;
+            self.size = news + NEWS;
+            let around: Vec<usize> = together.iter().map(|(place, _)| *place).collect();
+            let is_in = |apart: &&Apart| around.iter().all(|place| apart.words.contains(place));
+            let owner = self.apart.iter().find(is_in).map_or(0, |apart| apart.place);
             for (lane, part) in together.iter().enumerate() {
                 let spot = Spot {
                     place,
@@ -198,6 +269,10 @@ impl Layout {
                 lanes,
                 place,
                 parts: together.len(),
+                words: place..news,
+                news,
+                owner,
+                around,
             });
         }
     }
@@ -226,7 +301,9 @@ impl Layout {
                 };
                 self.grouped.entry((place, *index)).or_insert(row);
             }
+            let begin = self.size;
             self.size += stride * self.block(part, Lanes::One).size;
+            self.words_of_rows.push((place, begin..self.size));
             self.rows.entry(place).or_default().extend(rows);
         }
     }
@@ -234,6 +311,40 @@ impl Layout {
     /// Parts of the module at a place that run together.
     pub(crate) fn rows(&self, place: usize) -> &[[usize; 4]] {
         self.rows.get(&place).map_or(&[], Vec::as_slice)
+    }
+
+    /// What may rest: the parts apart, then the groups.
+    pub(crate) fn resting(&self) -> Vec<Part> {
+        let apart = self.apart.iter().map(|apart| {
+            let holds = |place: &usize| apart.words.contains(place);
+            let rows = self.words_of_rows.iter().filter(|(place, _)| holds(place));
+            let rows = rows.map(|(_, words)| words.clone());
+            let groups = self.groups.iter().zip(self.apart.len()..);
+            let inner = groups.filter(|(group, _)| group.around.iter().any(holds));
+            Part {
+                words: [apart.words.clone()].into_iter().chain(rows).collect(),
+                news: news(apart.news),
+                inner: inner.map(|(_, number)| number).collect(),
+            }
+        });
+        let groups = self.groups.iter().map(|group| Part {
+            words: vec![group.words.clone()],
+            news: news(group.news),
+            inner: vec![],
+        });
+        apart.chain(groups).collect()
+    }
+
+    /// The groups that the part apart at a place holds, or those of no such part, at 0.
+    pub(crate) fn groups_of(&self, owner: usize) -> impl Iterator<Item = &Group> {
+        let groups = self.groups.iter();
+        groups.filter(move |group| group.owner == owner)
+    }
+
+    /// The part apart at this spot, if it is one.
+    pub(crate) fn apart(&self, spot: Spot) -> Option<&Apart> {
+        let mut all = self.apart.iter();
+        all.find(|apart| spot.stride == 1 && apart.place == spot.place)
     }
 
     pub(crate) fn block(&self, module: &Arc<Module>, lanes: Lanes) -> &Block {
@@ -302,6 +413,10 @@ impl Layout {
         }
         tell(module, spot);
     }
+}
+
+fn news(place: usize) -> Range<usize> {
+    place..place + NEWS
 }
 
 /// Where the whole lies.

@@ -39,6 +39,7 @@ mod machine;
 mod operations;
 mod program;
 mod registers;
+mod rest;
 mod size;
 mod split;
 mod word;
@@ -49,6 +50,7 @@ pub use program::Program;
 use functions::Task;
 use interpret::Work;
 use lanes::MOST_LANES;
+use rest::Rest;
 use std::sync::Arc;
 use words::Words;
 
@@ -57,6 +59,7 @@ pub struct Simulation {
     program: Arc<Program>,
     words: Words,
     spilled: Words,
+    rest: Rest,
     /// Inputs that were set, those of a lane in a row.
     rows: Vec<i64>,
     /// What outputs and points give.
@@ -71,6 +74,7 @@ impl Simulation {
         Simulation {
             words: program.power_up(),
             spilled: program.spilled(),
+            rest: program.rest(),
             rows: vec![0; program.rows * program.inputs],
             given: program.given.map(|count| vec![0; count * program.lanes()]),
             is_read: [false; 2],
@@ -108,6 +112,7 @@ impl Simulation {
     /// Panics if there is no such register.
     pub fn upset(&mut self, lane: usize, register: usize, word: u64) {
         self.program.registers[register].set(&mut self.words, lane, word);
+        self.rest = self.program.rest();
         self.is_read = [false; 2];
     }
 
@@ -177,6 +182,6 @@ impl Simulation {
             given: &mut self.given[usize::from(tasks.contains(&Task::Points))],
             rows,
         };
-        self.program.run(tasks, &mut work, &mut self.spilled);
+        (self.program).run(tasks, &mut work, &mut self.spilled, &mut self.rest);
     }
 }

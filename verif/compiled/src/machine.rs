@@ -1,7 +1,7 @@
 //! Machine code in memory.
 
 use crate::assemble::Assembler;
-use crate::functions::{Function, TASKS, Task};
+use crate::functions::{Function, TASKS};
 use crate::interpret::Work;
 use crate::lanes::MOST_LANES;
 use crate::registers::{self, Constants};
@@ -14,16 +14,18 @@ type Entry = unsafe extern "sysv64" fn(*mut u64, *mut u64, *mut u64, *const u64,
 
 pub(crate) struct Machine {
     pub(crate) code: Mmap,
-    /// Where the functions of the tasks begin.
-    tasks: [usize; TASKS],
+    /// Where the functions begin.
+    begins: Vec<usize>,
+    /// The functions from this one on read the inputs of the whole.
+    tasks: usize,
     constants: Words,
     /// Vectors that must be there for what is spilled.
     pub(crate) spilled: usize,
 }
 
 impl Machine {
-    /// Nothing where the processor has no AVX2.
-    pub(crate) fn of(functions: &[Function], rows: usize) -> Option<Machine> {
+    /// Nothing where the processor has no AVX2. Of the functions the last ones are called from outside, from one on.
+    pub(crate) fn of(functions: &[Function], outer: usize, rows: usize) -> Option<Machine> {
         if !has_vectors() {
             return None;
         }
@@ -37,11 +39,10 @@ impl Machine {
                 rows: usize::from(function.line.reads_inputs()) * rows,
             };
             let begin = to.bytes.len();
-            let is_outer = index + TASKS >= functions.len();
             to.begin();
             let more = registers::write(&function.line, &mut to, &mut constants, &begins);
             spilled = spilled.max(more);
-            to.end(is_outer);
+            to.end(index >= outer);
             bytes = to.bytes;
             begins.push(begin);
         }
@@ -50,42 +51,43 @@ impl Machine {
         let constants = constants.words.as_flattened();
         let mut words = Words::new(constants.len());
         words.copy_from_slice(constants);
-        let (_, tasks) = begins.split_last_chunk()?;
         Some(Machine {
-            tasks: *tasks,
+            tasks: begins.len() - TASKS,
+            begins,
             code: code.make_exec().ok()?,
             constants: words,
             spilled,
         })
     }
 
-    /// Does tasks; words, spilled vectors, inputs and what is given are as many as it was written for.
+    /// Runs a function that may be called from outside; words, spilled vectors, inputs and what is given are as many as
+    /// it was written for.
     #[cfg(target_arch = "x86_64")]
-    pub(crate) fn run(&self, tasks: &[Task], work: &mut Work<'_>, spilled: &mut [u64]) {
+    pub(crate) fn run(&self, function: usize, work: &mut Work<'_>, spilled: &mut [u64]) {
         let mut rows = [std::ptr::null(); MOST_LANES];
-        for (place, row) in rows.iter_mut().zip(work.rows) {
-            *place = row.as_ptr();
-        }
-        for task in tasks {
-            let begin = self.code[self.tasks[*task as usize]..].as_ptr();
-            // SAFETY: a function with this signature begins there.
-            let entry = unsafe { std::mem::transmute::<*const u8, Entry>(begin) };
-            // SAFETY: it stays within the slices: places come from the layout that they were made for, and an index of
-            // a memory from a selection that bounds it.
-            unsafe {
-                entry(
-                    work.words.as_mut_ptr(),
-                    spilled.as_mut_ptr(),
-                    work.given.as_mut_ptr(),
-                    self.constants.as_ptr(),
-                    rows.as_ptr(),
-                );
+        if function >= self.tasks {
+            for (place, row) in rows.iter_mut().zip(work.rows) {
+                *place = row.as_ptr();
             }
+        }
+        let begin = self.code[self.begins[function]..].as_ptr();
+        // SAFETY: a function with this signature begins there.
+        let entry = unsafe { std::mem::transmute::<*const u8, Entry>(begin) };
+        // SAFETY: it stays within the slices: places come from the layout that they were made for, and an index of a
+        // memory from a selection that bounds it.
+        unsafe {
+            entry(
+                work.words.as_mut_ptr(),
+                spilled.as_mut_ptr(),
+                work.given.as_mut_ptr(),
+                self.constants.as_ptr(),
+                rows.as_ptr(),
+            );
         }
     }
 
     #[cfg(not(target_arch = "x86_64"))]
-    pub(crate) fn run(&self, _: &[Task], _: &mut Work<'_>, _: &mut [u64]) {
+    pub(crate) fn run(&self, _: usize, _: &mut Work<'_>, _: &mut [u64]) {
         unreachable!("there is no machine code for this processor");
     }
 }

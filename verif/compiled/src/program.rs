@@ -5,6 +5,7 @@ use crate::interpret::{self, Work};
 use crate::lanes::Lanes;
 use crate::layout::{Layout, Register};
 use crate::machine::Machine;
+use crate::rest::{Part, Rest, Turn};
 use crate::words::Words;
 use imogene_hdl::{Design, Direction};
 
@@ -17,6 +18,8 @@ pub struct Program {
     /// How many rows of inputs there are.
     pub(crate) rows: usize,
     size: usize,
+    /// What may rest while the remainder runs; its functions stand in front of those of the tasks.
+    parts: Vec<Part>,
     /// By their numbers in the design.
     pub(crate) registers: Vec<Register>,
     /// Words of memories at power-up, beside zeros.
@@ -53,13 +56,16 @@ impl Program {
         let outputs: Vec<String> = outputs.map(|port| port.name.clone()).collect();
         let functions = functions(design, &layout, lanes, shares_inputs, [&outputs, points]);
         let rows = if shares_inputs { 1 } else { lanes.count() };
+        let parts = layout.resting();
+        let outer = functions.len() - TASKS - parts.len();
         Program {
             inputs: design.top.ports_of(Direction::In).count(),
             given: [outputs.len(), points.len()],
-            machine: Machine::of(&functions, rows),
+            machine: Machine::of(&functions, outer, rows),
             rows,
             functions,
             lanes,
+            parts,
             size: layout.size,
             registers: layout.registers(&design.top, lanes),
             contents: layout.contents(&design.top, lanes),
@@ -102,16 +108,41 @@ impl Program {
         Words::new(4 * machine.map_or(0, |machine| machine.spilled))
     }
 
+    /// What is known of the parts of an instance at power-up.
+    pub(crate) fn rest(&self) -> Rest {
+        Rest::of(&self.parts)
+    }
+
     /// Does tasks with the words of an instance, one after the other; only others than the clock give words.
-    pub(crate) fn run(&self, tasks: &[Task], work: &mut Work<'_>, spilled: &mut [u64]) {
-        match &self.machine {
-            Some(machine) => machine.run(tasks, work, spilled),
-            None => {
-                let first = self.functions.len() - TASKS;
-                for task in tasks {
-                    interpret::run(&self.functions, first + *task as usize, 0, work);
+    pub(crate) fn run(
+        &self,
+        tasks: &[Task],
+        work: &mut Work<'_>,
+        spilled: &mut [u64],
+        rest: &mut Rest,
+    ) {
+        let first = self.functions.len() - TASKS;
+        for task in tasks {
+            self.call(first + *task as usize, work, spilled);
+            if *task != Task::Clock {
+                continue;
+            }
+            for (index, part) in self.parts.iter().enumerate() {
+                let turn = rest.turn(index, part, work.words);
+                if turn != Turn::Rest {
+                    self.call(first - self.parts.len() + index, work, spilled);
+                }
+                if turn == Turn::RunAndLook {
+                    rest.look(index, part, work.words);
                 }
             }
+        }
+    }
+
+    fn call(&self, function: usize, work: &mut Work<'_>, spilled: &mut [u64]) {
+        match &self.machine {
+            Some(machine) => machine.run(function, work, spilled),
+            None => interpret::run(&self.functions, function, 0, work),
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::gates::{Bit, Gates, NO};
 use batsat::{Callbacks, ClauseKind, Lit, Solver, SolverInterface, SolverOpts, lbool};
+use rustc_hash::FxHashMap;
 
 /// Conflicts after which the solver gives up, if nothing else is asked for.
 pub const CONFLICTS: u64 = 10_000;
@@ -26,8 +27,8 @@ impl Callbacks for Effort {
 struct Clauses<'a> {
     gates: &'a Gates,
     solver: Solver<Effort>,
-    /// The literal of each gate that was wanted.
-    known: Vec<Option<Lit>>,
+    /// The literal of each gate that was wanted: a few of millions.
+    known: FxHashMap<usize, Lit>,
 }
 
 pub(crate) enum Answer {
@@ -141,7 +142,7 @@ impl Clauses<'_> {
         let mut clauses = Clauses {
             gates,
             solver: Solver::new(SolverOpts::default(), Effort { left: conflicts }),
-            known: vec![None; gates.len()],
+            known: FxHashMap::default(),
         };
         assumed.iter().for_each(|bit| clauses.assume(*bit));
         clauses
@@ -158,7 +159,7 @@ impl Clauses<'_> {
     }
 
     fn written(&self, bit: Bit) -> Lit {
-        let literal = self.known[bit.gate()].expect("it is written");
+        let literal = self.known[&bit.gate()];
         if bit.is_inverted() { !literal } else { literal }
     }
 
@@ -166,7 +167,7 @@ impl Clauses<'_> {
     fn write(&mut self, wanted: usize) {
         let (mut open, mut clause) = (vec![wanted], vec![]);
         while let Some(&gate) = open.last() {
-            if self.known[gate].is_some() {
+            if self.known.contains_key(&gate) {
                 open.pop();
                 continue;
             }
@@ -179,7 +180,7 @@ impl Clauses<'_> {
             };
             let before = open.len();
             let operand_gates = operands.map(Bit::gate).into_iter();
-            open.extend(operand_gates.filter(|gate| self.known[*gate].is_none()));
+            open.extend(operand_gates.filter(|gate| !self.known.contains_key(gate)));
             if open.len() > before {
                 continue;
             }
@@ -195,7 +196,7 @@ impl Clauses<'_> {
 
     fn variable(&mut self, gate: usize) -> Lit {
         let literal = Lit::new(self.solver.new_var_default(), true);
-        self.known[gate] = Some(literal);
+        self.known.insert(gate, literal);
         literal
     }
 }

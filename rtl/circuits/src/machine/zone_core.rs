@@ -7,7 +7,7 @@ use super::{
     zone_buffer, zone_control,
 };
 use crate::object::absent;
-use crate::raster::{Pixel, Scan};
+use crate::raster::{Flags, Pixel, Scan};
 use crate::rows::PerLane;
 use imogene_hdl::{Bits, Bundle, Int, Value, bundle, bundles, module};
 
@@ -119,12 +119,20 @@ pub fn zone_core(at: &str, beat: Beat, room: Bits, machine: &ZoneCore, drain: u3
             height: window.height,
         };
         let raster = raster_control("raster", zone);
+        // So many processors want registers of their own to start from. These hold their words while a pass of another
+        // kind runs, so that processors without work stand still.
         let of = |runs: Bits| {
-            let Raster { mut scan, last } = raster;
-            scan.flags.valid = scan.flags.valid & runs;
-            let last = last & runs;
-            // So many processors want registers of their own to start from.
-            Raster { scan, last }.registered()
+            let Raster { scan, last } = raster;
+            let flags = Flags {
+                valid: (scan.flags.valid & runs).reg(),
+                start: scan.flags.start.reg_when(runs),
+                line: scan.flags.line.map(|line| line.reg_when(runs)),
+            };
+            let pixel = scan.pixel.registered_when(runs);
+            Raster {
+                scan: Scan { flags, pixel },
+                last: (last & runs).reg(),
+            }
         };
         let (draw, light) = (of(pass.is_drawing), of(pass.is_lighting));
         let show = show_control("show", pass.show_go, room, window);

@@ -120,13 +120,20 @@ fn shaded(seen: &Shown, machine: &ZoneMachine) -> Coloured {
         samples => place.left(samples.ilog2()) | seen.sample.slice(low + 1, low).extend(COORDINATE),
     };
     let pixel = Pixel::of([sample(place.x, 2), sample(place.y, 4)]);
+    net! {
+        // Between pixels the words of the last one stay, so that the shading stands still.
+        let valid_late = seen.valid.reg();
+        let depth_late = surface.depth.reg_when(seen.valid);
+        let flags_late = seen.flags.reg_when(seen.valid);
+        let material_late = valid_late.select(material, Bits::new(0, MATERIAL));
+    }
     let point = Point {
-        valid: seen.valid.delayed_as("valid_late", 1),
-        pixel: pixel.delayed(1),
-        depth: surface.depth.delayed_as("depth_late", 1),
-        material,
-        normal: shaded_normal(surface.normal).delayed(1),
-        flags: seen.flags.delayed_as("flags_late", 1),
+        valid: valid_late,
+        pixel: pixel.registered_when(seen.valid),
+        depth: depth_late,
+        material: material_late,
+        normal: shaded_normal(surface.normal).registered_when(seen.valid),
+        flags: flags_late,
     };
     let load = ShadingLoad {
         valid: load.shading,

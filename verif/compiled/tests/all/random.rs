@@ -14,6 +14,11 @@ struct Step {
     number: u32,
 }
 
+/// Kinds of steps: small equal parts, a part that may hold others, large equal parts.
+const ROWS: u8 = 28;
+const PART: u8 = 35;
+const PAIRS: u8 = 36;
+
 /// Steps of the top module and of those in it; a module holds instances of those behind it alone.
 type Recipe = Vec<Vec<Step>>;
 
@@ -85,7 +90,7 @@ fn stage(words: &[Bits], own: Bits) -> Vec<Bits> {
     let held = OF_PAIRS.iter().enumerate().map(|(index, &width)| {
         let sum = fit(words[index], width) + fit(words[(index + 1) % 5], width);
         let chosen = words[0].select(sum, sum ^ fit(own, width));
-        let last = (0..3).fold(chosen, |word, _| (word + fit(words[4], width)).reg());
+        let last = (0..6).fold(chosen, |word, _| (word + fit(words[4], width)).reg());
         let held = Bits::register(width).initially(1);
         held.load(last);
         held
@@ -227,9 +232,9 @@ fn build(recipe: &[Vec<Step>], inputs: Vec<Any>) -> (&'static str, Vec<Bits>) {
             }
             25 => Any::Number(p),
             26 => Any::Word(Bits::new(u64::from(number) % (1 << width.min(20)), width)),
-            36 => Any::Word(pairs(index, number, a.word_of(64), z)),
+            PAIRS => Any::Word(pairs(index, number, a.word_of(64), z)),
             29 => Any::Word(chosen(b.word(), width, number)),
-            28 | 30 => Any::Word(rows(index, number, x, z)),
+            ROWS | 30 => Any::Word(rows(index, number, x, z)),
             27 | 31..=34 => {
                 // A chain of registers that take words together, every third of them now and then.
                 let (chain, sum) = (1..number % 24).fold((x, x), |(last, sum), k| {
@@ -239,7 +244,7 @@ fn build(recipe: &[Vec<Step>], inputs: Vec<Any>) -> (&'static str, Vec<Bits>) {
                 });
                 Any::Word(chain ^ sum)
             }
-            _ if recipe.len() > 1 => {
+            PART if recipe.len() > 1 => {
                 let part = 1 + number as usize % (recipe.len() - 1);
                 let [one, other] = WIDTHS;
                 // Many of a kind that has no others in it.
@@ -298,6 +303,21 @@ fn steps(most: usize) -> impl Strategy<Value = Vec<Step>> {
     let step = (0u8..37, any::<[usize; 3]>(), any::<u32>());
     let step = step.prop_map(|(kind, from, number)| Step { kind, from, number });
     prop::collection::vec(step, 1..most)
+}
+
+/// A recipe with a part that stands once, in which there are rows and equal parts.
+fn with_a_part_apart(
+    (mut top, mut part, inner, numbers): (Vec<Step>, Vec<Step>, Vec<Step>, [u32; 3]),
+) -> Recipe {
+    let step = |kind, number| Step {
+        kind,
+        from: [1, 3, 0].map(|place| place + number as usize % 7),
+        number,
+    };
+    top.push(step(PART, numbers[0] & !1));
+    part.push(step(PAIRS, numbers[1]));
+    part.push(step(ROWS, numbers[2]));
+    vec![top, part, inner]
 }
 
 /// The paths of all nets with names, and of all ports of instances.
@@ -381,6 +401,38 @@ proptest! {
                 prop_assert_eq!(stepped, run.simulation.outputs(), "{}", run.what);
             }
             lanes.iter_mut().for_each(Simulator::clock);
+        }
+    }
+
+    /// Inputs stay for so many clocks that parts rest; then some of them are others.
+    #[test]
+    fn what_rests_goes_on_with_an_input(
+        recipe in (steps(40), steps(80), steps(20), any::<[u32; 3]>()).prop_map(with_a_part_apart),
+        stimulus in prop::collection::vec((any::<[(bool, u64); INPUTS]>(), 1u32..120), 2..8),
+    ) {
+        let design = design(&recipe);
+        let paths = paths(&design);
+        let mut simulator = Simulator::new(&design);
+        let program = Program::new(&design, &paths);
+        let mut simulation = Simulation::new(&Arc::new(program));
+        let points = paths.iter().map(|path| simulator.point(path));
+        let points: Vec<_> = points.collect();
+        let inputs: Vec<_> = design.top.ports_of(Direction::In).collect();
+        let mut words = [0; INPUTS];
+        for (others, clocks) in stimulus {
+            for ((word, (is_new, other)), port) in words.iter_mut().zip(others).zip(&inputs) {
+                *word = if is_new { other } else { *word };
+                simulator.set(simulator.port(&port.name), *word);
+            }
+            simulation.set_all(words);
+            for _ in 0..clocks {
+                for ((path, point), word) in paths.iter().zip(&points).zip(simulation.points()) {
+                    let wanted = point.map(|point| simulator.get(point));
+                    prop_assert_eq!(wanted.unwrap_or(*word), *word, "{}", path);
+                }
+                simulation.clock();
+                simulator.clock();
+            }
         }
     }
 
