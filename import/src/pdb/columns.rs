@@ -28,15 +28,8 @@ impl<'a> Columns<'a> {
 
     /// What is wrong at a column, or where the line ends if it ends before.
     pub fn error(&self, column: usize, problem: String, accepted: String) -> Error {
-        let place = Place {
-            line: self.number,
-            column: column.min(self.text.len() + 1),
-        };
-        Error {
-            place: Some(place),
-            problem,
-            accepted,
-        }
+        let (line, column) = (self.number, column.min(self.text.len() + 1));
+        Error::whole(problem, accepted).placed(Place { line, column })
     }
 
     /// The characters of the columns `first` to `last`, counted from 1; fewer if the line is shorter.

@@ -49,10 +49,13 @@ impl Error {
 
     /// At a byte of a file.
     pub fn at(bytes: &[u8], at: usize, problem: impl ToString, accepted: impl ToString) -> Error {
-        Error {
-            place: Some(Place::of(bytes, at, b'\n')),
-            ..Error::whole(problem, accepted)
-        }
+        Error::whole(problem, accepted).placed(Place::of(bytes, at, b'\n'))
+    }
+
+    /// The same at a place.
+    pub fn placed(self, place: Place) -> Error {
+        let place = Some(place);
+        Error { place, ..self }
     }
 }
 

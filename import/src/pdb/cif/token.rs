@@ -125,10 +125,7 @@ impl<'a> Tokens<'a> {
         // Old Macintosh files end their lines with a carriage return alone.
         let bytes = self.bytes;
         let end = if bytes.contains(&b'\n') { b'\n' } else { b'\r' };
-        Error {
-            place: Some(Place::of(bytes, at, end)),
-            ..Error::whole(problem, accepted)
-        }
+        Error::whole(problem, accepted).placed(Place::of(bytes, at, end))
     }
 }
 
