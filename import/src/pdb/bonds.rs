@@ -43,22 +43,19 @@ pub fn find(atoms: &[Atom], copies: &[usize], connections: &[[End; 2]]) -> Resul
     let connected = said.len();
     pairs.extend(said);
     pairs.sort_unstable();
-    let mut bonds = Bonds {
+    let (found, mut degrees) = (pairs.len(), vec![0; atoms.len()]);
+    pairs.retain(|pair| {
+        let fits = pair.iter().all(|atom| degrees[*atom] < MOST_BONDS);
+        pair.iter()
+            .for_each(|atom| degrees[*atom] += usize::from(fits));
+        fits
+    });
+    let left_out = found - pairs.len();
+    Ok(Bonds {
+        pairs,
         connected,
-        ..Bonds::default()
-    };
-    let mut degrees = vec![0; atoms.len()];
-    for pair in pairs {
-        if pair.iter().any(|atom| degrees[*atom] >= MOST_BONDS) {
-            bonds.left_out += 1;
-            continue;
-        }
-        for atom in pair {
-            degrees[atom] += 1;
-        }
-        bonds.pairs.push(pair);
-    }
-    Ok(bonds)
+        left_out,
+    })
 }
 
 /// Pairs by distance, found in a grid of cells that are as wide as the longest bond.

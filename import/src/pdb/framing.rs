@@ -21,16 +21,15 @@ pub type Ball = ([f64; 3], f64);
 pub fn bounding_sphere(balls: &[Ball]) -> Ball {
     let (low, high) = bounding_box(balls);
     let mut middle: [f64; 3] = std::array::from_fn(|k| 0.5 * (low[k] + high[k]));
-    let mut best = (middle, farthest(balls, middle).1);
-    for step in 1..=STEPS {
-        let (index, _) = farthest(balls, middle);
-        let share = 1.0 / (step as f64 + 1.0);
-        for (m, p) in middle.iter_mut().zip(balls[index].0) {
-            *m += share * (p - *m);
-        }
-        let reach = farthest(balls, middle).1;
+    let mut best = (middle, f64::INFINITY);
+    for step in 0..=STEPS {
+        let (index, reach) = farthest(balls, middle);
         if reach < best.1 {
             best = (middle, reach);
+        }
+        let share = 1.0 / (step as f64 + 2.0);
+        for (m, p) in middle.iter_mut().zip(balls[index].0) {
+            *m += share * (p - *m);
         }
     }
     best
