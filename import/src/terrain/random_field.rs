@@ -8,7 +8,6 @@ use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};
 use slab::Slab;
-use std::fmt::Write;
 
 /// Most levels: a grid of 1025 x 1025 nodes.
 pub const MAX_LEVELS: u32 = 10;
@@ -215,12 +214,9 @@ pub fn heights_text(field: &Field, options: &FieldOptions, step: f64) -> String 
         options.levels, options.smoothness, options.relief, options.seed
     );
     for row in field.heights.chunks(field.side) {
-        for (index, height) in row.iter().enumerate() {
-            let gap = if index > 0 { " " } else { "" };
-            // A rounded number prints without the digits of its error; -0 prints as 0.
-            let rounded = (height * 1000.0).round() / 1000.0 + 0.0;
-            write!(text, "{gap}{rounded}").expect("strings can be written");
-        }
+        // A rounded number prints without the digits of its error; -0 prints as 0.
+        let rounded = |height: &f64| ((height * 1000.0).round() / 1000.0 + 0.0).to_string();
+        text += &row.iter().map(rounded).collect::<Vec<_>>().join(" ");
         text.push('\n');
     }
     text

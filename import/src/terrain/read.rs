@@ -43,8 +43,7 @@ impl<'a> Reader<'a> {
     }
 
     fn number(&self, word: &str, what: &str) -> Result<f64> {
-        let value = decimal(word.as_bytes(), b"+-.eE");
-        let value = value.filter(|v| v.abs() <= MAX_NUMBER);
+        let value = decimal(word.as_bytes(), b"+-.eE").filter(|v| v.abs() <= MAX_NUMBER);
         let accepted = "a decimal number of magnitude up to 1e8 is expected";
         value.ok_or_else(|| self.refused(word, &format!("is no {what}"), accepted))
     }
