@@ -6,6 +6,7 @@ use super::surfaces::surface;
 use super::units::Context;
 use crate::faces::build::MAX_PARTS;
 use crate::faces::canonical::Found;
+use crate::faces::cell::Made;
 use crate::faces::model::{border, reversed};
 use crate::faces::vector::{Vector, distance, dot, length, minus};
 use crate::faces::{Curve, Edge, EdgeUse, Face, Form, Model, Solid, Surface};
@@ -29,12 +30,14 @@ pub struct Space {
 #[derive(Default)]
 pub struct Known {
     /// Edges by their number, or why they are none.
-    edges: HashMap<u64, Result<usize, String>>,
+    edges: HashMap<u64, Made<usize>>,
     vertices: HashMap<u64, usize>,
     /// Straight edges of polygons by the numbers of their points, the lower first.
     sides: HashMap<[u64; 2], usize>,
     surfaces: HashMap<u64, Found>,
 }
+
+type Loop = Vec<EdgeUse>;
 
 pub const SHELLS: [&str; 3] = ["CLOSED_SHELL", "OPEN_SHELL", "CONNECTED_FACE_SET"];
 
@@ -76,8 +79,7 @@ impl Topology {
         let first = self.model.faces.len();
         let mut origins = vec![];
         for shell in shells {
-            let faces = self.shell(space, *shell)?;
-            origins.extend(faces.into_iter().map(|face| [face, shell.id]));
+            origins.extend(self.shell(space, *shell)?);
         }
         self.model.solids.push(Solid {
             name,
@@ -87,14 +89,14 @@ impl Topology {
         Ok(origins)
     }
 
-    /// Adds the faces of a shell; their numbers.
-    fn shell(&mut self, space: &mut Space, entity: Entity) -> Result<Vec<u64>> {
+    /// Adds the faces of a shell; the numbers of each face and the shell.
+    fn shell(&mut self, space: &mut Space, entity: Entity) -> Result<Vec<[u64; 2]>> {
         let oriented = ["ORIENTED_CLOSED_SHELL", "ORIENTED_OPEN_SHELL"];
         let (shell, outwards) = match entity.find(&oriented) {
             Some(args) => (args.named(2, &SHELLS)?, args.flag(3)?),
             None => (entity.need(&SHELLS)?, true),
         };
-        let mut ids = vec![];
+        let mut origins = vec![];
         for value in shell.list(1)? {
             if self.model.faces.len() == self.most[1] {
                 return Err(too_many("faces", MAX_PARTS));
@@ -111,9 +113,9 @@ impl Topology {
                 ..Face::default()
             });
             self.model.faces.push(face);
-            ids.push(id);
+            origins.push([id, entity.id]);
         }
-        Ok(ids)
+        Ok(origins)
     }
 
     /// A face; `outwards` says that its normal leaves the solid.
@@ -130,11 +132,10 @@ impl Topology {
         let same_sense = same_sense != found.opposite;
         let mut loops = vec![];
         for bound in args.entities(1)? {
-            match self.bound(space, &bound.need(&["FACE_BOUND", "FACE_OUTER_BOUND"])?)? {
+            let bound = bound.need(&["FACE_BOUND", "FACE_OUTER_BOUND"])?;
+            match self.bound(space, &bound, same_sense)? {
                 Ok(uses) if uses.is_empty() => {}
-                // The left of a loop is that of the face's own normal.
-                Ok(uses) if same_sense => loops.push(uses),
-                Ok(uses) => loops.push(reversed(&uses)),
+                Ok(uses) => loops.push(uses),
                 Err(reason) => refused = refused.or(Some(reason)),
             }
         }
@@ -190,7 +191,7 @@ impl Topology {
     }
 
     /// A torus that meets its axis has an outer and an inner part: that on which the border is.
-    fn nearer_part(&self, torus: &Surface, major: f64, minor: f64, loops: &[Vec<EdgeUse>]) -> Form {
+    fn nearer_part(&self, torus: &Surface, major: f64, minor: f64, loops: &[Loop]) -> Form {
         let inner = Surface::new(torus.origin, torus.axis, Form::Torus(-major, minor));
         let off = |surface: &Surface| -> f64 {
             let points = self.model.places(loops.iter().flatten(), 8).into_iter();
@@ -204,18 +205,20 @@ impl Topology {
     }
 
     /// The edges of a border, with its face on their left; none for a border that is a point.
-    fn bound(&mut self, space: &mut Space, args: &Args) -> Result<Result<Vec<EdgeUse>, String>> {
+    fn bound(&mut self, space: &mut Space, args: &Args, same_sense: bool) -> Result<Made<Loop>> {
         let entity = args.entity(1)?;
-        let forward = args.flag(2)?;
-        if let Some(vertex) = entity.find(&["VERTEX_LOOP"]) {
-            vertex.named(1, &["VERTEX_POINT"])?;
-            return Ok(Ok(vec![]));
-        }
-        if let Some(polygon) = entity.find(&["POLY_LOOP"]) {
-            let uses = self.polygon(space, &polygon)?;
-            return Ok(Ok(if forward { uses } else { reversed(&uses) }));
-        }
+        // The left of a loop is that of the face's own normal.
+        let forward = args.flag(2)? == same_sense;
         let args = entity.need(&["EDGE_LOOP", "VERTEX_LOOP", "POLY_LOOP"])?;
+        let uses = match args.record.name {
+            "VERTEX_LOOP" => args.named(1, &["VERTEX_POINT"]).map(|_| Ok(vec![])),
+            "POLY_LOOP" => self.polygon(space, &args).map(Ok),
+            _ => self.edge_loop(space, &args),
+        };
+        Ok(uses?.map(|uses| if forward { uses } else { reversed(&uses) }))
+    }
+
+    fn edge_loop(&mut self, space: &mut Space, args: &Args) -> Result<Made<Loop>> {
         let mut uses = vec![];
         let mut refused = None;
         for entity in args.entities(1)? {
@@ -230,15 +233,13 @@ impl Topology {
                 Err(reason) => refused = refused.or(Some(reason)),
             }
         }
-        if let Some(reason) = refused.or_else(|| self.check_chain(&args, &uses).err()) {
-            return Ok(Err(reason));
-        }
-        let uses: Vec<EdgeUse> = uses.into_iter().map(|(edge_use, _)| edge_use).collect();
-        Ok(Ok(if forward { uses } else { reversed(&uses) }))
+        let refused = refused.or_else(|| self.check_chain(args, &uses).err());
+        let uses = uses.into_iter().map(|(edge_use, _)| edge_use).collect();
+        Ok(refused.map_or(Ok(uses), Err))
     }
 
     /// The sides of a polygon; those that two polygons share are one edge.
-    fn polygon(&mut self, space: &mut Space, args: &Args) -> Result<Vec<EdgeUse>> {
+    fn polygon(&mut self, space: &mut Space, args: &Args) -> Result<Loop> {
         let points = args.entities(1)?;
         let mut uses = vec![];
         for (index, from) in points.iter().enumerate() {
@@ -254,15 +255,9 @@ impl Topology {
             let key = [from.id.min(to.id), from.id.max(to.id)];
             let forward = from.id == key[0];
             let [from, to] = if forward { ends } else { [ends[1], ends[0]] };
-            let edges = &mut self.model.edges;
             let edge = *space.known.sides.entry(key).or_insert_with(|| {
-                edges.push(Edge {
-                    name: format!("#{}-#{}", key[0], key[1]),
-                    curve: Curve::Line { from, to },
-                    off: 0.0,
-                    vertices: None,
-                });
-                edges.len() - 1
+                let name = format!("#{}-#{}", key[0], key[1]);
+                self.add(name, Curve::Line { from, to }, None)
             });
             uses.push(EdgeUse { edge, forward });
         }
@@ -270,11 +265,12 @@ impl Topology {
     }
 
     /// Why a loop is none: its edges do not follow each other. Two vertices at one place are one.
-    fn check_chain(&self, args: &Args, uses: &[(EdgeUse, u64)]) -> Result<(), String> {
+    fn check_chain(&self, args: &Args, uses: &[(EdgeUse, u64)]) -> Made<()> {
         let place = format!("`#{}` EDGE_LOOP", args.entity.id);
         if uses.is_empty() {
-            let problem = "it has no edge; at least one edge is needed";
-            return Err(format!("{place}: {problem}"));
+            return Err(format!(
+                "{place}: it has no edge; at least one edge is needed"
+            ));
         }
         let ends = |own: EdgeUse| {
             let [from, to] = self.model.edges[own.edge].vertices.unwrap_or_default();
@@ -304,14 +300,14 @@ impl Topology {
         if let Some(known) = space.known.vertices.get(&vertex.entity.id) {
             return Ok(*known);
         }
-        let place = point(vertex.entity(1)?, &space.context)?;
-        self.vertices.push(place);
-        let index = self.vertices.len() - 1;
+        let index = self.vertices.len();
+        self.vertices
+            .push(point(vertex.entity(1)?, &space.context)?);
         space.known.vertices.insert(vertex.entity.id, index);
         Ok(index)
     }
 
-    fn edge(&mut self, space: &mut Space, entity: Entity) -> Result<Result<usize, String>> {
+    fn edge(&mut self, space: &mut Space, entity: Entity) -> Result<Made<usize>> {
         if let Some(known) = space.known.edges.get(&entity.id) {
             return Ok(known.clone());
         }
@@ -326,21 +322,25 @@ impl Topology {
             closed: vertices[0] == vertices[1] || self.same_place(vertices[0], vertices[1]),
             forward: args.flag(4)?,
         };
+        let name = format!("#{}", entity.id);
         let curve = args.entity(3).map_err(String::from);
         let edge = match curve.and_then(|curve| span.of(curve)) {
-            Ok(curve) => {
-                self.model.edges.push(Edge {
-                    name: format!("#{}", entity.id),
-                    curve: placed(curve, &space.place),
-                    off: 0.0,
-                    vertices: Some(vertices),
-                });
-                Ok(self.model.edges.len() - 1)
-            }
+            Ok(curve) => Ok(self.add(name, placed(curve, &space.place), Some(vertices))),
             // Other faces of the edge are refused with the same words.
-            Err(reason) => Err(format!("edge `#{}`: {reason}", entity.id)),
+            Err(reason) => Err(format!("edge `{name}`: {reason}")),
         };
         space.known.edges.insert(entity.id, edge.clone());
         Ok(edge)
+    }
+
+    /// The index of a new edge.
+    fn add(&mut self, name: String, curve: Curve, vertices: Option<[usize; 2]>) -> usize {
+        self.model.edges.push(Edge {
+            name,
+            curve,
+            off: 0.0,
+            vertices,
+        });
+        self.model.edges.len() - 1
     }
 }
