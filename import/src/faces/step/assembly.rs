@@ -61,12 +61,6 @@ const DEFINING: [&str; 2] = [
     "PROPERTY_DEFINITION_REPRESENTATION",
 ];
 
-/// The two representations of a relationship, whichever of its subtypes says so.
-fn relation<'a>(args: &Args<'a>) -> Result<[Entity<'a>; 2]> {
-    let args = args.of("REPRESENTATION_RELATIONSHIP")?;
-    Ok([args.entity(2)?, args.entity(3)?])
-}
-
 impl<'a> Assembly<'a> {
     pub fn read(file: &'a Exchange<'a>) -> Self {
         let mut all = Assembly {
@@ -104,9 +98,16 @@ impl<'a> Assembly<'a> {
         found.ok()
     }
 
-    fn find(&self, entity: Entity) -> Option<usize> {
-        let index = self.representations.get_index_of(&entity.id);
-        index.map(|index| self.group[index])
+    /// The number of a representation.
+    fn index(&self, entity: Entity) -> Option<usize> {
+        self.representations.get_index_of(&entity.id)
+    }
+
+    /// The two representations of a relationship, whichever of its subtypes says so; `None` if one is not of a shape.
+    fn relation(&self, args: &Args<'a>) -> Result<Option<[usize; 2]>> {
+        let args = args.of("REPRESENTATION_RELATIONSHIP")?;
+        let ends = [args.entity(2)?, args.entity(3)?].map(|end| self.index(end));
+        Ok(ends[0].zip(ends[1]).map(<[usize; 2]>::from))
     }
 
     /// Relationships without a placement: joined representations are a group, with the number of the first of them.
@@ -117,12 +118,9 @@ impl<'a> Assembly<'a> {
         ];
         let joined = self.file.all(&names);
         for args in joined.filter(|args| args.entity.find(&PLACING).is_none()) {
-            let Some(ends) = self.keep("a relationship is left out", relation(&args)) else {
-                continue;
-            };
-            let ends = ends.map(|end| self.representations.get_index_of(&end.id));
-            if let [Some(one), Some(other)] = ends {
-                let (one, other) = (self.first(one), self.first(other));
+            let ends = self.relation(&args);
+            if let Some(Some(ends)) = self.keep("a relationship is left out", ends) {
+                let [one, other] = ends.map(|end| self.first(end));
                 self.group[one.max(other)] = one.min(other);
             }
         }
@@ -144,9 +142,10 @@ impl<'a> Assembly<'a> {
     fn name_products(&mut self) {
         for args in self.file.all(&DEFINING) {
             // Words that name no representation name no part either.
-            let Ok(Some(group)) = args.entity(1).map(|entity| self.find(entity)) else {
+            let Ok(Some(index)) = args.entity(1).map(|entity| self.index(entity)) else {
                 continue;
             };
+            let group = self.group[index];
             if let Some(product) = product(&args) {
                 self.products.entry(group).or_insert(product);
             } else {
@@ -165,8 +164,7 @@ impl<'a> Assembly<'a> {
         let usages = file.all(&[PLACED]);
         let wholes: HashMap<u64, u64> = usages.filter_map(|args| usage(&args)).collect();
         for placed in file.all(&PLACING) {
-            let ends = relation(&placed).ok();
-            let child = ends.and_then(|ends| self.find(ends[0]));
+            let child = self.relation(&placed).ok().flatten().map(|ends| ends[0]);
             let ends = self.component(&placed, &wholes);
             self.link("a component is left out", placed.entity.id, ends, child);
         }
@@ -175,7 +173,7 @@ impl<'a> Assembly<'a> {
     /// Keeps where the entity of a number places something; a child whose place is not known is lost.
     fn link(&mut self, what: &str, id: u64, found: Result<Option<Ends>>, child: Option<usize>) {
         if found.is_err() {
-            self.lost.extend(child);
+            self.lost.extend(child.map(|child| self.group[child]));
         }
         if let Some(Some([(child, own), (parent, there)])) = self.keep(what, found) {
             let child = self.group[child];
@@ -186,9 +184,7 @@ impl<'a> Assembly<'a> {
     }
 
     fn component(&self, placed: &Args<'a>, wholes: &HashMap<u64, u64>) -> Result<Option<Ends>> {
-        let ends = relation(placed)?;
-        let ends = ends.map(|end| self.representations.get_index_of(&end.id));
-        let [Some(first), Some(second)] = ends else {
+        let Some([first, second]) = self.relation(placed)? else {
             return Ok(None);
         };
         let last = if placed.entity.complex { 0 } else { 4 };
@@ -212,7 +208,7 @@ impl<'a> Assembly<'a> {
             for item in items.filter_map(|item| item.find(&["MAPPED_ITEM"])) {
                 let map = item.named(1, &["REPRESENTATION_MAP"]);
                 let source = map.and_then(|map| map.entity(1)).ok();
-                let child = source.and_then(|entity| self.find(entity));
+                let child = source.and_then(|entity| self.index(entity));
                 let ends = self.mapped(index, &item);
                 self.link("a mapped item is left out", item.entity.id, ends, child);
             }
@@ -221,7 +217,7 @@ impl<'a> Assembly<'a> {
 
     fn mapped(&self, index: usize, item: &Args<'a>) -> Result<Option<Ends>> {
         let map = item.named(1, &["REPRESENTATION_MAP"])?;
-        let Some(source) = self.representations.get_index_of(&map.entity(1)?.id) else {
+        let Some(source) = self.index(map.entity(1)?) else {
             return Ok(None);
         };
         let inner = self.frame(source, &map, 0)?;
@@ -278,18 +274,15 @@ impl<'a> Assembly<'a> {
                 );
                 return Err(Error::at(self.file.bytes, at, problem, accepted));
             }
-            for index in &members[group] {
-                placed.push(Placed {
-                    representation: self.representations[*index],
-                    place,
-                    group,
-                    occurrence,
-                });
-            }
+            placed.extend(members[group].iter().map(|index| Placed {
+                representation: self.representations[*index],
+                place,
+                group,
+                occurrence,
+            }));
             occurrence += 1;
-            for link in self.links.get(&group).into_iter().flatten().rev() {
-                waiting.push((link.child, place.after(&link.place), depth + 1, link.id));
-            }
+            let links = self.links.get(&group).into_iter().flatten().rev();
+            waiting.extend(links.map(|l| (l.child, place.after(&l.place), depth + 1, l.id)));
         }
         match self.representations.values().next() {
             Some(first) if placed.is_empty() => Err(first.error(
