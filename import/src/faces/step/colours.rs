@@ -57,12 +57,15 @@ fn styled(file: &Exchange, item: &Args) -> Result<Option<(u64, Colour)>> {
         return Ok(None);
     };
     let mut steps = MOST_STEPS;
-    for style in item.entities(first)? {
-        if let Some(colour) = colour_of(file, style, &mut steps)? {
-            return Ok(Some((target.id, colour)));
-        }
-    }
-    Ok(None)
+    let colour = first_colour(file, item.entities(first)?, &mut steps)?;
+    Ok(colour.map(|colour| (target.id, colour)))
+}
+
+/// Lists of styles have several members; the first that leads to a colour is taken.
+fn first_colour(file: &Exchange, of: Vec<Entity>, steps: &mut usize) -> Result<Option<Colour>> {
+    let mut all = of.into_iter();
+    let found = all.find_map(|entity| colour_of(file, entity, steps).transpose());
+    found.transpose()
 }
 
 /// The first colour of a surface that an entity leads to.
@@ -89,24 +92,17 @@ fn colour_of(file: &Exchange, entity: Entity, steps: &mut usize) -> Result<Optio
         return Err(args.error(problem, accepted));
     }
     *steps -= 1;
-    // Lists of styles have several members; the first that leads to a colour is taken.
     let mut named = vec![];
-    references(&args.record.values, &mut named);
-    for next in named.into_iter().filter_map(|id| file.get(id)) {
-        let colour = colour_of(file, next, steps)?;
-        if colour.is_some() {
-            return Ok(colour);
-        }
-    }
-    Ok(None)
+    references(file, &args.record.values, &mut named);
+    first_colour(file, named, steps)
 }
 
-fn references(values: &[Value], found: &mut Vec<u64>) {
+fn references<'a>(file: &'a Exchange, values: &[Value], found: &mut Vec<Entity<'a>>) {
     for value in values {
         match &value.kind {
-            Kind::Reference(id) => found.push(*id),
-            Kind::List(values) => references(values, found),
-            Kind::Typed(typed) => references(&typed.values, found),
+            Kind::Reference(id) => found.extend(file.get(*id)),
+            Kind::List(values) => references(file, values, found),
+            Kind::Typed(typed) => references(file, &typed.values, found),
             _ => {}
         }
     }

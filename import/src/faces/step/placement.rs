@@ -3,7 +3,8 @@
 use super::units::Context;
 use crate::faces::cell::clean;
 use crate::faces::keys::MAX_NUMBER;
-use crate::faces::vector::{Vector, across, cross, frame, length, minus, plus, times, unit};
+use crate::faces::vector::{Vector, across, cross, frame, length, minus, plus, unit};
+use imogene_algebra::matrix::{image, transposed};
 use step21::{Args, Entity, Result};
 
 /// Turned and moved: coordinates along three axes become those of the space around.
@@ -24,8 +25,7 @@ impl Placement {
         if self.axes == Self::IN_PLACE.axes {
             return v;
         }
-        let [x, y, z] = self.axes;
-        plus(plus(times(v[0], x), times(v[1], y)), times(v[2], z))
+        image(&transposed(&self.axes), &v)
     }
 
     pub fn point(&self, p: Vector) -> Vector {
@@ -41,14 +41,9 @@ impl Placement {
     }
 
     pub fn inverse(&self) -> Placement {
-        let [x, y, z] = self.axes;
-        let rows = Placement {
-            origin: [0.0; 3],
-            axes: std::array::from_fn(|k| [x[k], y[k], z[k]]),
-        };
         Placement {
-            origin: rows.direction(minus([0.0; 3], self.origin)),
-            ..rows
+            origin: image(&self.axes, &minus([0.0; 3], self.origin)),
+            axes: transposed(&self.axes),
         }
     }
 }

@@ -50,15 +50,16 @@ impl Spline {
             Some(args) => weights(&args, args.numbers(0)?, count)?,
             None => vec![1.0; count],
         };
-        let mut poles = vec![];
-        for (entity, weight) in points.into_iter().zip(weights) {
-            poles.push(weighted(point(entity, context)?, weight));
-        }
+        let pole = |(entity, weight)| Ok(weighted(point(entity, context)?, weight));
         let first = if entity.complex { 0 } else { 6 };
         Ok(Spline {
             degree,
+            poles: points
+                .into_iter()
+                .zip(weights)
+                .map(pole)
+                .collect::<Result<_>>()?,
             knots: knots(&kind, [first, first + 1], degree, count)?,
-            poles,
         })
     }
 

@@ -73,8 +73,7 @@ pub fn surface(
 }
 
 fn known(args: &Args, context: &Context, place: &Placement) -> Result<Found> {
-    let own = placement(args.entity(1)?, context)?;
-    let own = place.after(&own);
+    let own = place.after(&placement(args.entity(1)?, context)?);
     let sized = |index| radius(args, index, context);
     let form = match args.record.name {
         "PLANE" => Form::Plane,
