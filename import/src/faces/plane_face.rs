@@ -1,12 +1,12 @@
 //! Faces in a plane: two opposite cut planes with one more quadric at most, which are drawn exactly.
 
 use super::arrangement::{Conic, EDGE, Parting};
+use super::compile::Task;
 use super::courses::MAX_PIECES;
 use super::cover::Term;
 use super::parting::terms;
 use super::rings::Band;
 use super::slabs;
-use super::task::{Part, Task};
 use super::vector::{Vector, along, cross, distance, dot, minus, unit};
 use super::{Cell, Compiled, Curve, EdgeUse, Made, PlaneOf, Separator};
 use imogene_scene::MAX_CUTS;
@@ -119,22 +119,14 @@ impl Border<'_> {
 
     /// The separator of a straight edge: the neighbour's plane if that is steep, or one upright on the face.
     fn side(&mut self, edge: usize, from: Vector, to: Vector) -> usize {
-        let Part { model, planes, .. } = self.task.part;
-        let mut own = None;
-        for other in model.neighbours(self.task.index, edge) {
-            own = own.or(match model.faces[other].surface.plane() {
-                Some((origin, normal)) => Some(planes.find_or_add(origin, normal)),
-                None => self
-                    .task
-                    .part
-                    .courses
-                    .generators
-                    .get(&(other, edge))
-                    .copied(),
-            });
-        }
-        match own.filter(|plane| self.is_steep(planes.get(*plane).1)) {
-            Some(plane) => self.parting.plane(planes, plane, EDGE),
+        let part = self.task.part;
+        let mut neighbours = part.model.neighbours(self.task.index, edge);
+        let own = neighbours.find_map(|other| match part.model.faces[other].surface.plane() {
+            Some((origin, normal)) => Some(part.planes.find_or_add(origin, normal)),
+            None => part.courses.generators.get(&(other, edge)).copied(),
+        });
+        match own.filter(|plane| self.is_steep(part.planes.get(*plane).1)) {
+            Some(plane) => self.parting.plane(&part.planes, plane, EDGE),
             None => self.wall(self.upright(from, to)),
         }
     }
