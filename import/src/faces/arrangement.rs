@@ -4,12 +4,11 @@
 //! slab the separators keep their order, so that each piece of a slab is one strip between two of them. Every connected
 //! region of the surface is open and thus has a strip in some slab: no region is without a sample, whatever its shape.
 
-use super::chart::nearest_turn;
+use super::chart::{close_round, nearest_turn};
 use super::cover::{Sample, Term};
 use super::vector::{Vector, between, dot, positive_angle};
 use super::{Chart, Curve, Form, Implicit, PlaneOf, Planes, Separator, Surface};
 use std::collections::HashMap;
-use std::f64::consts::TAU;
 
 /// Most separators of one face: a sample has one bit for each.
 pub const MAX_SEPARATORS: usize = 128;
@@ -177,10 +176,7 @@ impl Division<'_> {
         limits.retain(|u| u.is_finite());
         limits.sort_by(f64::total_cmp);
         if chart.is_round() {
-            match limits.first() {
-                Some(first) => limits.push(first + TAU),
-                None => limits = vec![0.0, TAU],
-            }
+            close_round(&mut limits);
         } else {
             let [first, last] = [limits.first(), limits.last()].map(|end| *end.unwrap_or(&0.0));
             limits.insert(0, first - self.size);
@@ -195,10 +191,8 @@ impl Division<'_> {
     fn crossings(&self, u: f64) -> Vec<Crossing> {
         let (chart, mut all) = (&self.chart, vec![]);
         for (index, separator) in self.parting.separators.iter().enumerate() {
-            for w in chart.crossings(u, separator) {
-                if !w.is_finite() {
-                    continue;
-                }
+            let finite = chart.crossings(u, separator).into_iter();
+            for w in finite.filter(|w| w.is_finite()) {
                 let mut crossing = Crossing {
                     w,
                     ..Crossing::default()

@@ -45,15 +45,9 @@ impl Patch {
         let (places, slopes): (Vec<Pole>, Vec<Pole>) = rows.unzip();
         let (place, du) = casteljau(&places, u);
         let (dv, _) = casteljau(&slopes, u);
-        let weight = place[3];
-        let point: Vector = std::array::from_fn(|k| place[k] / weight);
-        let slope = |d: Pole| std::array::from_fn(|k| (d[k] - point[k] * d[3]) / weight);
+        let point = plain(&place);
+        let slope = |d: Pole| std::array::from_fn(|k| (d[k] - point[k] * d[3]) / place[3]);
         (point, [slope(du), slope(dv)])
-    }
-
-    /// Control points without their weights; the patch is in their convex hull.
-    pub fn hull(&self) -> impl Iterator<Item = Vector> {
-        self.poles.iter().map(plain)
     }
 }
 

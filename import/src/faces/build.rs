@@ -284,8 +284,7 @@ pub fn surface(keys: &Spanned<SurfaceKeys>) -> Checked<Surface> {
 fn size(key: &str, value: &Spanned<f64>) -> Checked<f64> {
     let number = *value.as_ref();
     if key != "half_angle" {
-        lengths(value, &[number])?;
-        return Ok(number);
+        return lengths(value, &[number]).map(|()| number);
     }
     if !(0.1..=89.9).contains(&number) {
         let problem = format!("{number} degrees between axis and surface is out of range");

@@ -3,7 +3,7 @@
 //! A candidate is fitted to places and normals; what it is off is then bounded over the whole surface, not at places:
 //! the equation of the candidate is a polynomial over every patch, whose coefficients in the Bernstein basis bound it.
 
-use super::bezier::{Bernstein, Patch};
+use super::bezier::{Bernstein, Patch, Pole, plain};
 use super::vector::*;
 use super::{Form, Surface};
 use nalgebra::{DMatrix, DVector, Matrix3, Matrix6, Vector3, Vector6};
@@ -275,7 +275,9 @@ pub fn bound(patch: &Patch, surface: &Surface) -> f64 {
     };
     let one = patch.polynomial([0.0, 0.0, 0.0, 1.0]);
     let unit = one.times(&one);
-    let heights = || patch.hull().map(|p| dot(minus(p, origin), axis));
+    // The patch is in the convex hull of its control points.
+    let height = |pole: &Pole| dot(minus(plain(pole), origin), axis);
+    let heights = || patch.poles.iter().map(height);
     let [e, f] = frame(axis, 0.0);
     // The difference of squares over the sum.
     let round = |axes: &[Vector], radius: f64| {

@@ -232,6 +232,14 @@ impl Chart {
     }
 }
 
+/// Adds to ascending angles the first again, a whole turn on.
+pub fn close_round(angles: &mut Vec<f64>) {
+    match angles.first() {
+        Some(first) => angles.push(first + TAU),
+        None => *angles = vec![0.0, TAU],
+    }
+}
+
 /// An angle as many turns on as makes it nearest to another.
 pub fn nearest_turn(v: f64, at: f64) -> f64 {
     at + (v - at + PI).rem_euclid(TAU) - PI

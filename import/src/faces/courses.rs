@@ -131,8 +131,7 @@ pub fn pieces(points: &[Vector], surfaces: &[&Surface], max_deviation: f64) -> O
             let end = if far < too_long { far } else { middle };
             reach *= 2;
             match fit(end) {
-                Some(found) if end > best.0 => best = (end, found),
-                Some(_) => {}
+                Some(found) => best = (end, found),
                 None => too_long = end,
             }
         }

@@ -154,7 +154,6 @@ pub fn chords(model: &Model, edge: usize, max_deviation: f64) -> Option<(Vec<Cur
         return None;
     }
     let (from, to) = (first[1], path[path.len() - 1][1]);
-    let mut angles = vec![from];
     let (low, high) = (from.min(to) + SAME_ANGLE, from.max(to) - SAME_ANGLE);
     let turns = [-TAU, 0.0, TAU].into_iter();
     let turned = turns.flat_map(|turn| rings.angles[1..].iter().map(move |v| v + turn));
@@ -163,8 +162,7 @@ pub fn chords(model: &Model, edge: usize, max_deviation: f64) -> Option<(Vec<Cur
     if to < from {
         inner.reverse();
     }
-    angles.extend(inner);
-    angles.push(to);
+    let angles = [vec![from], inner, vec![to]].concat();
     let mut points: Vec<Vector> = angles.iter().map(|v| chart.point(first[0], *v)).collect();
     let last = points.len() - 1;
     [points[0], points[last]] = curve.ends();

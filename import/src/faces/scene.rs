@@ -57,17 +57,15 @@ pub fn look_from_elsewhere(scene: &mut SceneFile, model: &Model) -> Vec<String> 
     if first.is_empty() {
         return first;
     }
-    for view in &VIEWS[1..] {
-        let other = SceneFile {
-            camera: camera(model, *view, &scene.objects),
-            ..scene.clone()
-        };
-        if refusals(&other).is_empty() {
-            *scene = other;
-            return vec![];
-        }
-    }
-    first
+    let mut others = VIEWS[1..].iter().map(|view| SceneFile {
+        camera: camera(model, *view, &scene.objects),
+        ..scene.clone()
+    });
+    let Some(other) = others.find(|other| refusals(other).is_empty()) else {
+        return first;
+    };
+    *scene = other;
+    vec![]
 }
 
 fn refusals(scene: &SceneFile) -> Vec<String> {

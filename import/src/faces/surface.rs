@@ -39,8 +39,7 @@ pub struct Implicit(pub [f64; 10]);
 impl Implicit {
     /// The value at a point.
     pub fn value(&self, p: Vector) -> f64 {
-        let [_, _, c] = self.on_line(p, [0.0; 3]);
-        c
+        self.on_line(p, [0.0; 3])[2]
     }
 
     /// The matrix of the second degree times a vector.
@@ -52,8 +51,7 @@ impl Implicit {
     /// Half the gradient at a point.
     pub fn half_gradient(&self, p: Vector) -> Vector {
         let [.., g, h, i, _] = self.0;
-        let of_p = self.quadratic(p);
-        [of_p[0] + g, of_p[1] + h, of_p[2] + i]
+        plus(self.quadratic(p), [g, h, i])
     }
 
     /// The value on `p + t v` as `[A, B, C]` of `A t^2 + B t + C`.

@@ -2,7 +2,7 @@
 
 use super::strips::{Crossing, Slabs, Strip};
 use crate::faces::rings::OVERLAP;
-use crate::faces::vector::Vector;
+use crate::faces::vector::{Vector, range};
 use crate::faces::{Form, Separator};
 use std::f64::consts::TAU;
 
@@ -147,19 +147,16 @@ impl Slabs<'_> {
     fn comes_back(&self, strip: &Strip, crossing: &Crossing) -> Option<[f64; 2]> {
         let separator = &self.parting.separators[self.rails[crossing.rail].separator];
         let (from, to) = (self.limits[strip.slab], self.limits[strip.slab + 1]);
-        let mut back: Option<[f64; 2]> = None;
+        let mut back = vec![];
         for share in [0.001, 0.25, 0.5, 0.75, 0.999] {
             let all = self.chart.crossings(from + share * (to - from), separator);
             let near = |v: &f64| (v - crossing.v).abs();
             let each = all.iter().copied();
             let own = each.min_by(|a, b| near(a).total_cmp(&near(b)));
             let others = all.into_iter().filter(|v| Some(*v) != own);
-            for v in others.filter(|v| *v > strip.at[0] && *v < strip.at[1]) {
-                let [low, high] = back.unwrap_or([v, v]);
-                back = Some([low.min(v), high.max(v)]);
-            }
+            back.extend(others.filter(|v| *v > strip.at[0] && *v < strip.at[1]));
         }
-        back
+        (!back.is_empty()).then(|| range(back.into_iter()))
     }
 
     /// The planes that a part has besides those of the border: of its band, and of a cone that between its nappes.

@@ -225,8 +225,7 @@ impl Slabs<'_> {
             if self.chart.is_round() {
                 off = nearest_turn(off, 0.0);
             }
-            let plane = self.parting.planes[rail.separator];
-            let plane = plane.filter(|_| off.abs() <= narrow)?;
+            let plane = self.parting.planes[rail.separator].filter(|_| off.abs() <= narrow)?;
             let shares = [0.02, 0.5, 0.98].map(|share| span[0] + share * (span[1] - span[0]));
             let sides = shares.map(|u| self.planes.is_positive(plane, self.chart.point(u, v)));
             (sides == [sides[0]; 3]).then_some((plane, sides[0]))

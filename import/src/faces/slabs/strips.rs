@@ -1,7 +1,7 @@
 //! The border of a face on its way over the surface, the slabs, and what a slab has between crossings with the border.
 
 use crate::faces::arrangement::{Boundary, Parting, SMALLEST_PIECE};
-use crate::faces::chart::nearest_turn;
+use crate::faces::chart::{close_round, nearest_turn};
 use crate::faces::rings::Band;
 use crate::faces::vector::{Vector, between, range};
 use crate::faces::{Chart, Curve, Form, PlaneOf, Planes};
@@ -241,9 +241,8 @@ impl Slabs<'_> {
         let (from, to, at) = (self.limits[slab], self.limits[slab + 1], crossing.v);
         let inner = 1e-6 * (to - from);
         let rail = &self.rails[crossing.rail];
-        let mut range = [at, at];
         let steps = 16;
-        for k in 0..=steps {
+        let near = (0..=steps).filter_map(|k| {
             let u = from + inner + (to - from - 2.0 * inner) * f64::from(k) / f64::from(steps);
             // A closed piece has two branches, which run in opposite directions.
             let branch = rail.crossings(u, self.chart.is_round()).into_iter();
@@ -252,11 +251,9 @@ impl Slabs<'_> {
                 Form::Torus(..) => nearest_turn(v, at),
                 _ => v,
             });
-            if let Some(v) = v.min_by(|v, w| (v - at).abs().total_cmp(&(w - at).abs())) {
-                range = [range[0].min(v), range[1].max(v)];
-            }
-        }
-        range
+            v.min_by(|v, w| (v - at).abs().total_cmp(&(w - at).abs()))
+        });
+        range([at].into_iter().chain(near))
     }
 
     /// From the lowest place of the border below to the highest of that above.
@@ -289,10 +286,7 @@ impl Slabs<'_> {
             if limits.len() > 1 && limits[0] + TAU - limits[limits.len() - 1] <= narrow {
                 limits.pop();
             }
-            match limits.first() {
-                Some(first) => limits.push(first + TAU),
-                None => limits = vec![0.0, TAU],
-            }
+            close_round(&mut limits);
         }
         self.without_gaps(limits)
     }
