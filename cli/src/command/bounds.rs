@@ -9,10 +9,10 @@ use imogene_analysis::bounds::headroom::{Headroom, Summary, headroom, summaries}
 use imogene_golden::format::Format;
 use imogene_scene::SceneFile;
 use imogene_studies::kit::DrawError;
-use imogene_studies::kit::page::text;
+use imogene_studies::kit::page::{text, with};
 use imogene_studies::trial::{self, FORMATS, Term, TrialReport};
 use serde::Serialize;
-use std::borrow::Cow;
+use serde_json::json;
 use std::path::{Path, PathBuf};
 
 pub fn run(options: &Bounds, json: bool) -> Result {
@@ -137,18 +137,8 @@ fn row(path: &Path, file: &SceneFile, size: Size, format: u32) -> Result<Row> {
 
 /// The tables with the names of the scenes.
 fn page(table: &Table) -> Result<String, DrawError> {
-    #[derive(Serialize)]
-    struct Page<'a> {
-        #[serde(flatten)]
-        table: &'a Table,
-        names: Vec<Cow<'a, str>>,
-    }
     let stems = table.scenes.iter().map(|row| row.scene.file_stem());
     let names = stems.map(|stem| stem.unwrap_or_default().to_string_lossy());
-    let names = names.collect();
-    text(
-        "no tables",
-        include_str!("bounds.md"),
-        Page { table, names },
-    )
+    let names = json!({ "names": names.collect::<Vec<_>>() });
+    text("no tables", include_str!("bounds.md"), with(table, names))
 }

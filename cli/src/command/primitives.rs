@@ -10,11 +10,12 @@ use imogene_analysis::metrics::PixelError;
 use imogene_golden::format::Format;
 use imogene_scene::SceneFile;
 use imogene_studies::kit::DrawError;
-use imogene_studies::kit::page::text;
+use imogene_studies::kit::page::{text, with};
 use imogene_studies::primitives::errors::{Bulge, Errors, bulge, errors, pixel_errors};
 use imogene_studies::primitives::speed::{FacetWork, Speed, facets, measure, work};
 use imogene_studies::primitives::{Drawn, Subject, Variant, sheet};
 use serde::Serialize;
+use serde_json::json;
 use std::time::Duration;
 
 /// The scene, compiled in so that the command needs no file.
@@ -116,18 +117,11 @@ struct Row {
     facet_work: Option<FacetWork>,
 }
 
-#[derive(Serialize)]
-struct Page<'a> {
-    #[serde(flatten)]
-    comparison: &'a Comparison,
-    target: &'static str,
-}
-
 /// The page: what is drawn, then a table for each question.
 fn markdown(comparison: &Comparison) -> Result<String, DrawError> {
     let template = include_str!("primitives/comparison.md");
-    let target = TARGET;
-    text("cannot tell of it", template, Page { comparison, target })
+    let values = with(comparison, json!({ "target": TARGET }));
+    text("cannot tell of it", template, values)
 }
 
 /// The timing, which depends on the machine.

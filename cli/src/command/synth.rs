@@ -7,10 +7,11 @@ use crate::arguments::Synth;
 use crate::failure::{Failure, Result};
 use crate::output;
 use imogene_rtl::emit::machine::{MachineRequest, emit_machine};
-use imogene_synth::fitted::{MachineCost, Parts};
+use imogene_studies::kit::page::with;
+use imogene_synth::fitted::Parts;
 use imogene_synth::table::{self, Table};
 use imogene_synth::{Target, synthesise, synthesise_design};
-use serde::Serialize;
+use serde_json::json;
 use std::path::Path;
 
 pub fn run(options: &Synth, json: bool) -> Result {
@@ -45,14 +46,8 @@ fn run_unit(unit: &str, target: &str, options: &Synth, json: bool) -> Result {
 /// The cost of a machine of its own widths: the sum of its units, and the clock of the slowest.
 fn run_machine(machine: &MachineRequest, target: Target, json: bool) -> Result {
     let cost = fitted::costs_of(&[emit_machine(machine)?], Parts::Units, target, true)?[0];
-    #[derive(Serialize)]
-    struct Told {
-        target: &'static str,
-        #[serde(flatten)]
-        cost: MachineCost,
-    }
-    let target = target.name();
-    let page = output::page(include_str!("synth/fitted.txt"), Told { target, cost })?;
+    let told = with(cost, json!({ "target": target.name() }));
+    let page = output::page(include_str!("synth/fitted.txt"), told)?;
     output::report(json, &cost, |_| output::text(page));
     Ok(())
 }

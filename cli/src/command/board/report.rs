@@ -7,7 +7,9 @@ use imogene_board::{Board, Pins, Routed};
 use imogene_files::Outputs;
 use imogene_files::text::counted;
 use imogene_plan::description::MachineDescription;
+use imogene_studies::kit::page::with;
 use serde::Serialize;
+use serde_json::json;
 use std::collections::BTreeMap;
 
 /// A board and what it shows; the keys are stable.
@@ -104,13 +106,6 @@ pub(super) fn finish(
     json: bool,
     template: &str,
 ) -> Result {
-    #[derive(Serialize)]
-    struct Told<'a, T> {
-        name: &'a str,
-        read_back: &'static str,
-        #[serde(flatten)]
-        report: &'a T,
-    }
     let path = options.out.join("board.json");
     let paths = [files.paths(), vec![path.clone()]].concat();
     let written = Written {
@@ -119,13 +114,8 @@ pub(super) fn finish(
     };
     files.add_text(&path, &output::json_text(&written))?;
     files.finish()?;
-    let (name, read_back) = (&board.name, board.read_back());
-    let told = Told {
-        name,
-        read_back,
-        report,
-    };
-    let page = output::page(template, told)?;
+    let about = json!({ "name": board.name, "read_back": board.read_back() });
+    let page = output::page(template, with(report, about))?;
     output::report(json, &written, |written| {
         output::text(page);
         output::wrote(&written.files);

@@ -13,10 +13,11 @@ use imogene_studies::fit::frames::Drawn;
 use imogene_studies::fit::omission::LeftPlane;
 use imogene_studies::fit::proof::{Bounds, Proven};
 use imogene_studies::kit::DrawError;
-use imogene_studies::kit::page::text;
+use imogene_studies::kit::page::{text, with};
 use imogene_synth::fitted::MachineCost;
 use imogene_verif::report::Report;
 use serde::Serialize;
+use serde_json::json;
 use std::path::PathBuf;
 
 /// What was fitted; the keys are stable.
@@ -121,25 +122,14 @@ pub fn found(drawn: &Drawn, machine: &MachineDescription) -> String {
     format!("meets the budget: {line}")
 }
 
-/// The report with what stands in texts alone.
-#[derive(Serialize)]
-struct Told<'a> {
-    #[serde(flatten)]
-    report: &'a FitReport<'a>,
-    named: String,
-    line: String,
-    ports: Vec<PortEntry>,
-}
-
 /// A text about a machine from its template.
 fn told(template: &str, report: &FitReport, ports: Vec<PortEntry>) -> Result<String, DrawError> {
-    let values = Told {
-        report,
-        named: named(&report.scenes),
-        line: line(report.machine, &report.widths),
-        ports,
-    };
-    text("cannot tell of the machine", template, values)
+    let others = json!({
+        "named": named(&report.scenes),
+        "line": line(report.machine, &report.widths),
+        "ports": ports,
+    });
+    text("cannot tell of the machine", template, with(report, others))
 }
 
 pub fn summary(report: &FitReport) -> Result<String, DrawError> {

@@ -45,6 +45,18 @@ pub fn text(what: &str, template: &str, values: impl Serialize) -> Result<String
     text.map_err(failed(what))
 }
 
+/// A report with what stands in its text alone.
+pub fn with(report: impl Serialize, others: serde_json::Value) -> impl Serialize {
+    #[derive(Serialize)]
+    struct With<T> {
+        #[serde(flatten)]
+        report: T,
+        #[serde(flatten)]
+        others: serde_json::Value,
+    }
+    With { report, others }
+}
+
 /// A number with so many digits after the point, or as many as it has; a dash if it is none.
 pub fn fixed(value: &Value, digits: Option<usize>) -> Result<String, Error> {
     printed(value, |number| match digits {
