@@ -1,6 +1,7 @@
 //! `imogene demo`.
 
-use super::machine::{add_verilog, write_pictures};
+use super::emit::add_verilog;
+use super::machine::write_pictures;
 use super::{describe, frame_in, negation, run_beam, threads, verdict};
 use crate::arguments::{Demo, Size};
 use crate::failure::{Failure, Result};
@@ -8,6 +9,7 @@ use crate::output;
 use imogene_golden::format::Format;
 use imogene_plan::description::MachineDescription;
 use imogene_plan::display::image;
+use imogene_rtl::emit::machine::emit_machine;
 use imogene_scene::SceneFile;
 use imogene_verif::display::pins::{PinsRun, run as run_pins};
 use imogene_verif::display::request::request_for;
@@ -52,8 +54,8 @@ pub fn run(options: &Demo, json: bool) -> Result {
     let command = format!("imogene demo --out {}", options.out.display());
     // Written first: an unwritable folder is found before the long work.
     let mut files = output::files();
-    let request = request_for(&machine, &[], &command);
-    add_verilog(&request, &options.out, &mut files)?;
+    let emitted = emit_machine(&request_for(&machine, &[], &command))?;
+    add_verilog(&mut files, &emitted, &options.out, false)?;
 
     let golden = image.picture.clone();
     let pins = PinsRun::plain(Engine::BuiltIn);
@@ -63,18 +65,14 @@ pub fn run(options: &Demo, json: bool) -> Result {
         if let Some(trace) = inside.trace.take() {
             trace.add_to(&mut files, &options.out.join("trace.vcd"))?;
         }
-        write_pictures(&machine, (Some(&golden), None), &options.out, &mut files)?;
         let outcome = outcome
             .join()
             .unwrap_or_else(|panic| resume_unwind(panic))?;
         Ok::<_, Failure>((outcome, inside))
     })?;
     let pictures_identical = outcome.picture == golden;
-    if outcome.picture.len() == golden.len() {
-        let size = [SCREEN.0, SCREEN.1].map(|side| side as usize);
-        let path = options.out.join("pins.png");
-        output::add_picture(&mut files, &path, size, &outcome.picture)?;
-    }
+    let pictures = (Some(&*golden), Some(&outcome));
+    write_pictures(&machine, pictures, &options.out, &mut files)?;
     let mut report = outcome.report;
     let seconds = report.seconds.max(inside.seconds);
     report.absorb(inside);

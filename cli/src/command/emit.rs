@@ -38,10 +38,7 @@ pub fn run(options: &Emit, json: bool) -> Result {
             let request = options.shape.request(unit.as_deref().unwrap_or_default())?;
             let emitted = match fitted::asked(&options.fitted, &request, prefix)? {
                 Some(machine) => emit_machine(&machine)?,
-                None => match prefix {
-                    Some(prefix) => emit_with_prefix(&request, prefix)?,
-                    None => emit(&request)?,
-                },
+                None => prefix.map_or_else(|| emit(&request), |p| emit_with_prefix(&request, p))?,
             };
             (Some(request.unit.name()), emitted)
         }

@@ -2,6 +2,7 @@
 
 mod contract;
 
+use super::emit::add_verilog;
 use super::fitted::costs;
 use super::size_of;
 use crate::arguments::{Fit, MACHINE_FILE};
@@ -345,8 +346,7 @@ fn write(
     let machine = report.machine.to_toml();
     let description = format!("# Made by: {}\n{machine}", report.reproduce);
     files.add_text(&options.out.join(MACHINE_FILE), &description)?;
-    let verilog = options.out.join(format!("{}.v", emitted.top));
-    files.add_text(&verilog, &emitted.bundle())?;
+    add_verilog(&mut files, emitted, &options.out, false)?;
     for (path, scene) in scenes {
         files.add_text(path, &scene.to_toml()?)?;
     }

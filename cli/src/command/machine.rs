@@ -3,12 +3,13 @@
 mod files;
 mod report;
 
+use super::emit::add_verilog;
 use super::{frame_in, read_scene, verdict};
 use crate::arguments::{FrameRange, Machine, View, option};
 use crate::failure::{Failure, Result};
 use crate::output;
+pub use files::write_pictures;
 use files::{Scene, add_bench, grow};
-pub use files::{add_verilog, write_pictures};
 use imogene_files::text::counted;
 use imogene_golden::machine::overlay::OverlayPlane;
 use imogene_plan::description::{MachineDescription, Output};
@@ -16,6 +17,7 @@ use imogene_plan::display::{DisplayError, Image, check_tables, images as images_
 use imogene_plan::needs;
 use imogene_plan::zone::clocks::clocks;
 use imogene_plan::zone::refine::Refinement;
+use imogene_rtl::emit::machine::emit_machine;
 use imogene_scene::animation::Playback;
 use imogene_studies::picture::read_mask;
 use imogene_verif::display::pins::{PinsOutcome, PinsRun, run as run_pins};
@@ -33,7 +35,9 @@ pub fn run(options: &Machine, json: bool) -> Result {
     let command = command_of(options);
     let request = request_for(&machine, &images[0].tables, &command);
     let mut files = output::files();
-    let top = add_verilog(&request, &options.out, &mut files)?;
+    let emitted = emit_machine(&request)?;
+    add_verilog(&mut files, &emitted, &options.out, false)?;
+    let top = emitted.top;
     let timing = machine.zone.map(|_| zone_timing(&request)).transpose()?;
     let mut growth = vec![];
     if options.growth {

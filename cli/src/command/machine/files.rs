@@ -9,7 +9,6 @@ use imogene_plan::display::Image;
 use imogene_plan::zone::clocks::ZoneTiming;
 use imogene_plan::zone::growth::{Growth, OBJECT_PROCESSORS, ZONE_SIDES, growth};
 use imogene_prepare::PreparedScene;
-use imogene_rtl::emit::machine::{MachineRequest, emit_machine};
 use imogene_scene::FramedScene;
 use imogene_studies::growth_plot::plot;
 use imogene_verif::display::bench::{Bench, BenchFrame};
@@ -28,14 +27,6 @@ impl Scene {
     pub(super) fn parts(&self) -> (&FramedScene, &PreparedScene) {
         (&self.framed, &self.prepared)
     }
-}
-
-/// Adds the Verilog to the files; returns the name of the top module.
-pub fn add_verilog(request: &MachineRequest, out: &Path, files: &mut Outputs) -> Result<String> {
-    let emitted = emit_machine(request)?;
-    let path = out.join(format!("{}.v", emitted.top));
-    files.add_text(&path, &emitted.bundle())?;
-    Ok(emitted.top)
 }
 
 /// Adds what a bench of the user's own drives the machine with.
