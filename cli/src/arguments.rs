@@ -60,16 +60,10 @@ pub fn bytes(text: &str) -> Result<u64, String> {
         Some((at, letter)) if letter.is_ascii_alphabetic() => (&text[..at], letter),
         _ => (text, ' '),
     };
-    let shift = match unit.to_ascii_uppercase() {
-        ' ' => Some(0),
-        'K' => Some(10),
-        'M' => Some(20),
-        'G' => Some(30),
-        _ => None,
-    };
+    let power = " KMG".find(unit.to_ascii_uppercase());
     let number: Option<u64> = digits.parse().ok().filter(|number| *number > 0);
-    let parts = number.zip(shift);
-    let bytes = parts.and_then(|(number, shift)| number.checked_mul(1 << shift));
+    let parts = number.zip(power);
+    let bytes = parts.and_then(|(number, power)| number.checked_mul(1 << (10 * power)));
     bytes.ok_or_else(|| "a number of bytes is expected, such as 512M or 2G".to_owned())
 }
 

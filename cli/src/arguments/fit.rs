@@ -139,14 +139,12 @@ impl Fit {
 
     /// The command line that shows the scenes on the machine.
     pub fn command(&self, frames: &Frames, written: &[PathBuf]) -> String {
-        let animation = match written.is_empty() && frames.all.len() > self.scenes.len() {
-            true => " --animation",
-            false => "",
+        let (scenes, animation) = match written {
+            [] if frames.all.len() > self.scenes.len() => (&self.scenes[..], " --animation"),
+            [] => (&self.scenes[..], ""),
+            written => (written, ""),
         };
-        let scenes = match written {
-            [] => listed(&self.scenes),
-            written => listed(written),
-        };
+        let scenes = listed(scenes);
         let machine = self.out.join(MACHINE_FILE);
         format!(
             "imogene machine {scenes}{animation} --machine {} --out DIR",

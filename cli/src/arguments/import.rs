@@ -1,6 +1,6 @@
 //! Arguments of `import`, and of `terrain`.
 
-use super::parse::{Choices, choice, list, name};
+use super::parse::{Choices, at_least_zero, choice, list, name};
 use super::scene::LookOptions;
 use clap::Args;
 use imogene_import::Kind;
@@ -156,10 +156,8 @@ fn deviation(text: &str) -> Result<Deviation, String> {
         Some(number) => (number.trim_end(), Deviation::Pixels),
         None => (text, Deviation::Length),
     };
-    match number.parse::<f64>() {
-        Ok(value) if value.is_finite() && value >= 0.0 => Ok(kind(value)),
-        _ => Err("a length, 0 or more, is needed, such as 0.01, or pixels as in 0.5px".to_owned()),
-    }
+    let expected = "a length, 0 or more, is needed, such as 0.01, or pixels as in 0.5px";
+    at_least_zero(number, expected).map(kind)
 }
 
 /// Options of terrain.

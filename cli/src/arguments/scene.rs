@@ -1,6 +1,6 @@
 //! A scene as an argument, how it is looked at, and the commands that draw, prepare and check one.
 
-use super::parse::{self, Choices, FrameRange, choice, depth_word};
+use super::parse::{self, Choices, FrameRange, choice, depth_word, option};
 use clap::{Args, ValueEnum};
 use imogene_contract::MachineWords;
 use imogene_golden::format::{FittedError, Format};
@@ -100,9 +100,8 @@ pub struct View {
 impl View {
     /// As on the command line, with a blank before each option; nothing for the scene as it is written.
     pub fn options(&self) -> String {
-        let camera = self.camera.iter().map(|name| format!(" --camera '{name}'"));
-        let frame = self.frame.iter().map(|number| format!(" --frame {number}"));
-        camera.chain(frame).collect()
+        let camera = self.camera.as_ref().map(|name| format!("'{name}'"));
+        option("camera", camera) + &option("frame", self.frame)
     }
 }
 

@@ -1,7 +1,7 @@
 //! `imogene mutate`.
 
 use super::machine;
-use crate::arguments::{Mutate, View};
+use crate::arguments::{Mutate, View, option};
 use crate::failure::{Failure, Result};
 use crate::output;
 use imogene_contract::{Request, Unit};
@@ -47,24 +47,15 @@ pub fn run(options: &Mutate, json: bool) -> Result {
         }
     }
     if let Some(path) = &options.out {
-        let (kind, introduction) = match options.netlist {
-            None => (String::new(), table::OF_CIRCUITS),
-            Some(mutants) => (format!(" --netlist {mutants}"), table::OF_NETLISTS),
+        let introduction = match options.netlist {
+            None => table::OF_CIRCUITS,
+            Some(_) => table::OF_NETLISTS,
         };
+        let kind = option("netlist", options.netlist);
         let usual = Options::default();
-        let unusual = [
-            ("effort", options.effort, usual.effort),
-            (
-                "word-bits",
-                options.word_bits.into(),
-                usual.word_bits.into(),
-            ),
-        ];
-        let unusual = unusual.map(|(name, value, usual)| match value == usual {
-            true => String::new(),
-            false => format!(" --{name} {value}"),
-        });
-        let unusual = unusual.concat();
+        let effort = Some(options.effort).filter(|effort| *effort != usual.effort);
+        let bits = Some(options.word_bits).filter(|bits| *bits != usual.word_bits);
+        let unusual = option("effort", effort) + &option("word-bits", bits);
         let command = format!(
             "imogene mutate {} --format {}{}{kind} --stimuli {} --clocks {}{unusual} --out {}",
             options.unit.join(","),
