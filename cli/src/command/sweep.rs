@@ -5,14 +5,8 @@ use crate::{arguments, output};
 use imogene_golden::format::Format;
 use imogene_studies::kit::DrawError;
 use imogene_studies::sweep::{self, Sweep, SweepResult, plot, section};
-use serde::Serialize;
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-
-/// All that is measured; the keys are stable.
-#[derive(Serialize)]
-struct Report {
-    sweeps: Vec<SweepResult>,
-}
 
 pub fn run(options: &arguments::Sweep, json: bool) -> Result {
     let chosen = chosen(&options.names)?;
@@ -24,9 +18,9 @@ pub fn run(options: &arguments::Sweep, json: bool) -> Result {
     });
     let files = options.out.as_ref().map(|folder| write(folder, &sweeps));
     let files = files.transpose()?.unwrap_or_default();
-    let (page, report) = (page(&sweeps, None)?, Report { sweeps });
-    output::paged(json, &report, files, page.trim_end());
-    verdict(&report.sweeps)
+    let report = BTreeMap::from([("sweeps", &sweeps)]);
+    output::paged(json, report, files, page(&sweeps, None)?.trim_end());
+    verdict(&sweeps)
 }
 
 /// The sweeps named, each once, in the order of the documentation; all if none is named.

@@ -10,21 +10,15 @@ use imogene_package::{contract, processors};
 use imogene_studies::kit::page::text;
 use imogene_studies::root_errors::table;
 use serde::Serialize;
-use serde_json::json;
+use serde_json::{Value, json};
 
 #[derive(Serialize)]
 struct UnitEntry {
     name: &'static str,
     contract: &'static str,
-    parameters: Vec<ParameterEntry>,
+    parameters: Vec<Value>,
     latency: &'static str,
     source: &'static str,
-}
-
-#[derive(Serialize)]
-struct ParameterEntry {
-    option: String,
-    range: String,
 }
 
 pub fn units(json: bool) -> Result {
@@ -39,14 +33,10 @@ pub fn units(json: bool) -> Result {
 
 fn entry(unit: Unit) -> UnitEntry {
     let record = unit.record();
-    let mut parameters = vec![ParameterEntry {
-        option: "format".into(),
-        range: format!("{}..32", unit.least_word()),
-    }];
-    parameters.extend(record.parameters.iter().map(|parameter| ParameterEntry {
-        option: parameter.option.into(),
-        range: parameter.range().replace(" to ", ".."),
-    }));
+    let parameter = |option: &str, range: String| json!({ "option": option, "range": range });
+    let mut parameters = vec![parameter("format", format!("{}..32", unit.least_word()))];
+    let others = record.parameters.iter();
+    parameters.extend(others.map(|p| parameter(p.option, p.range().replace(" to ", ".."))));
     UnitEntry {
         name: record.name,
         contract: record.computes,
