@@ -78,9 +78,13 @@ struct Processor {
 pub fn evaluate(hardware: &Hardware) -> Result<Evaluation, EvaluateError> {
     let table: Table = toml::from_str(include_str!("evaluation.toml"))
         .map_err(|error| format!("evaluation.toml: {error}"))?;
-    let sums = Sums::of(&table.sums, counts(hardware)?)?;
+    let mut names = counts(hardware)?;
+    for (name, expression) in &table.sums {
+        let sum = value(&names, expression)?;
+        names.add_global(name.clone(), sum);
+    }
     let groups = table.groups.iter().map(|subject| {
-        let rows = subject.rows.iter().map(|line| sums.row(line, subject));
+        let rows = subject.rows.iter().map(|line| row(&names, line, subject));
         let mut rows = rows.collect::<Result<Vec<Row>, EvaluateError>>()?;
         for processor in &subject.processors {
             rows.extend(processor.rows(&hardware.processors)?);
@@ -88,7 +92,7 @@ pub fn evaluate(hardware: &Hardware) -> Result<Evaluation, EvaluateError> {
         Ok(Group {
             name: subject.name.clone(),
             title: subject.title.clone(),
-            about: sums.text(&subject.about)?,
+            about: text(&names, &subject.about)?,
             rows,
         })
     });
@@ -98,46 +102,36 @@ pub fn evaluate(hardware: &Hardware) -> Result<Evaluation, EvaluateError> {
     })
 }
 
-/// The counts and the sums of them, by name.
-struct Sums<'a>(Environment<'a>);
+fn value(names: &Environment, expression: &str) -> Result<f64, EvaluateError> {
+    let compiled = names.compile_expression(expression);
+    let value = compiled.and_then(|compiled| f64::try_from(compiled.eval(())?));
+    value.map_err(failed(expression))
+}
 
-impl<'a> Sums<'a> {
-    fn of(sums: &[(String, String)], counts: Environment<'a>) -> Result<Self, EvaluateError> {
-        let mut all = Sums(counts);
-        for (name, expression) in sums {
-            let value = all.value(expression)?;
-            all.0.add_global(name.clone(), value);
-        }
-        Ok(all)
-    }
+fn text(names: &Environment, template: &str) -> Result<String, EvaluateError> {
+    let text = names.render_str(template, ());
+    text.map_err(failed(template))
+}
 
-    fn value(&self, expression: &str) -> Result<f64, EvaluateError> {
-        let compiled = self.0.compile_expression(expression);
-        let value = compiled.and_then(|compiled| f64::try_from(compiled.eval(())?));
-        value.map_err(failed(expression))
-    }
-
-    fn text(&self, template: &str) -> Result<String, EvaluateError> {
-        let text = self.0.render_str(template, ());
-        text.map_err(failed(template))
-    }
-
-    fn row(&self, line: &Line, Subject { usual, .. }: &Subject) -> Result<Row, EvaluateError> {
-        let of = |own: &Option<String>, usual: &str| own.clone().unwrap_or_else(|| usual.into());
-        let printed = match &line.printed {
-            Source::Number(value) => Printed::from(*value),
-            Source::Text(text) => Printed::from(text.as_str()),
-            Source::Sum { sum } => Printed::from(self.value(sum)?),
-        };
-        let corrected = line.corrected.as_ref().map(|sum| self.value(sum));
-        let section = of(&line.section, &usual.section);
-        let unit = of(&line.unit, &usual.unit);
-        let ours = self.value(&line.ours)?;
-        let names = [&*line.name, &section, &unit];
-        let mut row = Row::new(names, printed, ours, corrected.transpose()?);
-        row.why = self.text(&of(&line.why, &usual.why))?;
-        Ok(row)
-    }
+fn row(
+    names: &Environment,
+    line: &Line,
+    Subject { usual, .. }: &Subject,
+) -> Result<Row, EvaluateError> {
+    let own_or = |own: &Option<String>, usual: &str| own.clone().unwrap_or_else(|| usual.into());
+    let printed = match &line.printed {
+        Source::Number(value) => Printed::from(*value),
+        Source::Text(text) => Printed::from(text.as_str()),
+        Source::Sum { sum } => Printed::from(value(names, sum)?),
+    };
+    let corrected = line.corrected.as_ref().map(|sum| value(names, sum));
+    let section = own_or(&line.section, &usual.section);
+    let unit = own_or(&line.unit, &usual.unit);
+    let ours = value(names, &line.ours)?;
+    let about = [&*line.name, &section, &unit];
+    let mut row = Row::new(about, printed, ours, corrected.transpose()?);
+    row.why = text(names, &own_or(&line.why, &usual.why))?;
+    Ok(row)
 }
 
 fn failed(expression: &str) -> impl Fn(minijinja::Error) -> EvaluateError {

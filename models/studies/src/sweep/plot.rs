@@ -204,23 +204,19 @@ fn draw_panel(area: &Area<'_>, panel: &Panel, result: &SweepResult) -> Outcome {
         let (colour, points) = (line.colour, || line.points.iter().copied());
         let dashed = |style| DashedLineSeries::new(points(), 4, 3, style);
         match line.kind {
-            Kind::Bound => {
-                chart.draw_series(LineSeries::new(points(), colour.stroke_width(2)))?;
-                chart.draw_series(points().map(|p| Circle::new(p, 2, colour.filled())))?;
-            }
-            Kind::Observed => {
-                chart.draw_series(dashed(colour.stroke_width(1)))?;
-                chart.draw_series(points().map(|p| Circle::new(p, 4, colour.stroke_width(1))))?;
-            }
+            Kind::Bound => chart.draw_series(LineSeries::new(points(), colour.stroke_width(2)))?,
+            Kind::Observed => chart.draw_series(dashed(colour.stroke_width(1)))?,
+            Kind::Single | Kind::Double => chart.draw_series(dashed(FLOATS.stroke_width(1)))?,
+        };
+        let circles = |size, style| points().map(move |p| Circle::new(p, size, style));
+        match line.kind {
+            Kind::Bound => chart.draw_series(circles(2, colour.filled()))?,
+            Kind::Observed => chart.draw_series(circles(4, colour.stroke_width(1)))?,
             Kind::Single => {
-                chart.draw_series(dashed(FLOATS.stroke_width(1)))?;
-                chart.draw_series(points().map(|p| TriangleMarker::new(p, 5, BLACK.filled())))?;
+                chart.draw_series(points().map(|p| TriangleMarker::new(p, 5, BLACK.filled())))?
             }
-            Kind::Double => {
-                chart.draw_series(dashed(FLOATS.stroke_width(1)))?;
-                chart.draw_series(points().map(|p| Circle::new(p, 3, BLACK.filled())))?;
-            }
-        }
+            Kind::Double => chart.draw_series(circles(3, BLACK.filled()))?,
+        };
     }
     let row = (top - high) / result.series.len() as f64;
     for (index, (name, colour)) in result.series.iter().zip(COLOURS).enumerate() {
