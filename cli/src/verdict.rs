@@ -17,13 +17,13 @@ pub fn of_levels(errors: &ShadingErrors) -> Result {
 
 /// No error may be beyond its bound in any format; the seed makes the cases again.
 pub fn of_bounds(seed: u64, formats: &[TrialReport]) -> Result {
-    let violations: u64 = formats.iter().map(|format| format.violations).sum();
+    let violations: u64 = formats.iter().map(|format| format.tally.violations).sum();
     if violations == 0 {
         return Ok(());
     }
     let mut text = format!("beyond the bounds: {}", counted(violations, "error"));
     for format in formats {
-        for v in &format.first_violations {
+        for v in &format.tally.first_violations {
             text += &format!(
                 "\n  widths {}, case {} of seed {seed}, pixel {:?}: {} {:e} beyond {:e}",
                 format.widths,

@@ -49,7 +49,7 @@ fn try_bounds(options: &Bounds, json: bool) -> Result {
     let trial = Trial {
         seed: options.seed,
         cases: options.cases,
-        violations: formats.iter().map(|f| f.violations).sum(),
+        violations: formats.iter().map(|f| f.tally.violations).sum(),
         formats,
     };
     if json {
@@ -77,9 +77,9 @@ fn trial_line(report: &TrialReport) -> String {
         "| {} | {} | {} | {} | {} | {} |",
         report.label(),
         report.cases,
-        report.comparisons,
-        report.decided_exactly,
-        report.violations,
+        report.tally.comparisons,
+        report.tally.decided_exactly,
+        report.tally.violations,
         output::joined(ratios, " | ")
     )
 }

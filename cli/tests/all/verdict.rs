@@ -22,8 +22,8 @@ fn an_error_of_two_levels_fails_the_check_and_is_named() {
 fn an_error_beyond_its_bound_fails_the_check_and_is_named() {
     let format = Format::fitted(&FORMATS[4]).unwrap();
     let mut report = trial::run(&format, 1, 1, false, |_| ());
-    report.violations = 1;
-    report.first_violations = vec![Violation {
+    report.tally.violations = 1;
+    report.tally.first_violations = vec![Violation {
         term: Term::Depth,
         case: 17,
         pixel: (3, 4),

@@ -101,20 +101,9 @@ pub struct TrialReport {
     pub widths: String,
     /// Cases tried.
     pub cases: u64,
-    /// Pixels tried.
-    pub pixels: u64,
-    /// Comparisons of an error with its bound.
-    pub comparisons: u64,
-    /// Those that were too close for `f64` and made in exact integers.
-    pub decided_exactly: u64,
-    /// Pixels at which the computed sign of f2 is not the true one, which the displacement of the silhouette allows.
-    pub sign_differences: u64,
-    /// Normals whose direction the words do not determine, which have no bound.
-    pub normals_undetermined: u64,
-    /// Errors beyond their bounds.
-    pub violations: u64,
-    /// The first of them.
-    pub first_violations: Vec<Violation>,
+    /// What was counted.
+    #[serde(flatten)]
+    pub tally: Tally,
     /// How each bound fared.
     pub terms: Vec<TermReport>,
 }
@@ -169,13 +158,7 @@ pub fn run(
         dropped_rows: format.dropped_rows,
         widths: widths::print(&format.widths()),
         cases,
-        pixels: tally.pixels,
-        comparisons: terms.iter().map(|t| t.fared.comparisons).sum(),
-        decided_exactly: tally.decided_exactly,
-        sign_differences: tally.signs,
-        normals_undetermined: tally.undetermined,
-        violations: tally.violated,
-        first_violations: tally.violations,
+        tally,
         terms,
     }
 }

@@ -61,7 +61,7 @@ pub fn try_pixel(case: &Case, place: (i64, i64), tally: &mut Tally) {
     match (pixel.q2 >= 0, pixel.n2 >= 0) {
         (true, true) => pixel.depth(tally),
         (false, false) => {}
-        _ => tally.signs += 1,
+        _ => tally.sign_differences += 1,
     }
 }
 
@@ -242,7 +242,7 @@ pub(super) fn try_normals(case: &Case, place: (i64, i64), tally: &mut Tally) {
         let normal = select(face, true, g, root, &words.normal, &[], &case.format);
         let sine = quadric_sine(&words.normal, &case.bounds, f2, normal);
         if sine.is_nan() || sine >= 1.0 {
-            tally.undetermined += 1;
+            tally.normals_undetermined += 1;
             continue;
         }
         let truth = TrueNormal::at(case, place, sign);

@@ -115,25 +115,30 @@ impl Fared {
 }
 
 /// The count of one run, or part of one.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Serialize)]
 pub struct Tally {
     /// Compare everything in exact integers.
+    #[serde(skip)]
     pub always_exactly: bool,
     /// The case at hand.
+    #[serde(skip)]
     pub case: u64,
-    /// Pixels visited.
+    /// Pixels tried.
     pub pixels: u64,
-    /// Comparisons that were made in exact integers.
+    /// Comparisons of an error with its bound.
+    pub comparisons: u64,
+    /// Those that were too close for `f64` and made in exact integers.
     pub decided_exactly: u64,
+    /// Pixels at which the computed sign of f2 is not the true one, which the displacement of the silhouette allows.
+    pub sign_differences: u64,
+    /// Normals whose direction the words do not determine, which have no bound.
+    pub normals_undetermined: u64,
     /// Errors beyond their bounds.
-    pub violated: u64,
+    pub violations: u64,
     /// The first of them.
-    pub violations: Vec<Violation>,
-    /// Pixels at which the computed sign of f2 differs from the true one.
-    pub signs: u64,
-    /// Normals whose direction the words do not determine.
-    pub undetermined: u64,
+    pub first_violations: Vec<Violation>,
     /// How each bound fares.
+    #[serde(skip)]
     pub counts: [Fared; Term::ALL.len()],
 }
 
@@ -146,6 +151,7 @@ impl Tally {
         (observed, bound): (f64, f64),
         exactly: impl FnOnce() -> bool,
     ) {
+        self.comparisons += 1;
         self.counts[term as usize].add(observed, bound);
         if observed < bound * CLEARLY_WITHIN && !self.always_exactly {
             return;
@@ -154,9 +160,9 @@ impl Tally {
         if exactly() {
             return;
         }
-        self.violated += 1;
-        if self.violations.len() < KEPT {
-            self.violations.push(Violation {
+        self.violations += 1;
+        if self.first_violations.len() < KEPT {
+            self.first_violations.push(Violation {
                 term,
                 case: self.case,
                 pixel,
@@ -178,13 +184,14 @@ impl Tally {
     /// The count of both.
     pub fn merged(mut self, other: Tally) -> Tally {
         self.pixels += other.pixels;
+        self.comparisons += other.comparisons;
         self.decided_exactly += other.decided_exactly;
-        self.violated += other.violated;
-        self.violations.extend(other.violations);
-        self.violations.sort_by_key(|v| v.case);
-        self.violations.truncate(KEPT);
-        self.signs += other.signs;
-        self.undetermined += other.undetermined;
+        self.violations += other.violations;
+        self.first_violations.extend(other.first_violations);
+        self.first_violations.sort_by_key(|v| v.case);
+        self.first_violations.truncate(KEPT);
+        self.sign_differences += other.sign_differences;
+        self.normals_undetermined += other.normals_undetermined;
         for (mine, others) in self.counts.iter_mut().zip(other.counts) {
             *mine = mine.merged(others);
         }
