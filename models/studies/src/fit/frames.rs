@@ -46,7 +46,7 @@ impl Frame {
         self.located.prepare(&self.scene, format, Options::HARDWARE)
     }
 
-    /// In the base format with guard bits for every facet.
+    /// In the [`wide`] format.
     pub(super) fn prepare_wide(&self) -> Result<PreparedScene, FitError> {
         self.prepare(wide()).map_err(|source| self.refused(source))
     }
@@ -66,14 +66,10 @@ impl Frame {
     }
 }
 
-fn wide() -> Format {
+/// The base format with guard bits for every facet.
+pub(super) fn wide() -> Format {
     let wide = Format::BASE.with_guards(MOST_GUARDS.0, 0);
     wide.expect("guard bits of f1 within their range")
-}
-
-/// A scene without its truth, in the base format with guard bits for every facet.
-pub(super) fn prepared_wide(scene: &FramedScene) -> Result<PreparedScene, PrepareError> {
-    LocatedScene::new(scene).prepare(scene, wide(), Options::HARDWARE)
 }
 
 /// All frames of an animation, or the one of a picture.

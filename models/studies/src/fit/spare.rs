@@ -1,11 +1,11 @@
 //! Cut planes that an object can do without: the order in which it loses them, and what each costs.
 
-use super::frames::{Frame, prepared_wide};
+use super::frames::{Frame, wide};
 use imogene_golden::machine::frame::Frame as Picture;
 use imogene_golden::object::quadric::ObjectPixel;
 use imogene_golden::object::slot::ProcessorWords;
 use imogene_golden::unit::depth_interval::FACE_PLANE;
-use imogene_prepare::{Framing, PreparedScene};
+use imogene_prepare::{Framing, LocatedScene, Options};
 use imogene_scene::SceneFile;
 use std::collections::BTreeMap;
 
@@ -89,7 +89,8 @@ impl<'a> View<'a> {
 /// can be left out.
 fn drawn(file: &SceneFile, size: (u32, u32), planes: usize) -> Option<Pixels> {
     let scene = file.frame(size.0, size.1).ok()?;
-    let prepared: PreparedScene = prepared_wide(&scene).ok()?;
+    let located = LocatedScene::new(&scene);
+    let prepared = located.prepare(&scene, wide(), Options::HARDWARE).ok()?;
     let [slot] = &prepared.slots()[..] else {
         return None;
     };

@@ -238,15 +238,17 @@ fn near(v: Vector, (most, bits): (f64, u32), random: &mut Random) -> Vector {
     std::array::from_fn(|k| v[k] + other[k])
 }
 
+/// The part of a vector at a right angle to an axis, of whose length this is the square.
+fn across(v: Vector, axis: Vector, square: f64) -> Vector {
+    let along = dot(v, axis) / square;
+    std::array::from_fn(|k| v[k] - along * axis[k])
+}
+
 fn draw_normal(ray: Vector, random: &mut Random) -> Vector {
     let d = direction(random);
     let normal = match random.below(4) {
         // At a right angle to the line of sight, or nearly.
-        0 => {
-            let along = dot(d, ray) / dot(ray, ray);
-            let across = std::array::from_fn(|k| d[k] - along * ray[k]);
-            near(across, (0.1, 20), random)
-        }
+        0 => near(across(d, ray, dot(ray, ray)), (0.1, 20), random),
         1 => near(ray, (1.0, 20), random),
         _ => d,
     };
@@ -269,11 +271,7 @@ fn draw_light(ray: Vector, normal: Vector, random: &mut Random) -> LightWords {
     let vector = match random.below(6) {
         0 => d,
         // Grazing.
-        1 => {
-            let along = dot(d, normal) / square;
-            let across = std::array::from_fn(|k| d[k] - along * normal[k]);
-            near(across, (0.1, 24), random)
-        }
+        1 => near(across(d, normal, square), (0.1, 24), random),
         _ => near(mirrored, (0.7, 16), random),
     };
     let length = draw_length(1.3e8, 27, random);
