@@ -1,6 +1,7 @@
 //! What a trade is asked for, what is known of a point, and the files of finished points; the keys are stable.
 
 use super::design::Design;
+use super::view::Views;
 use crate::kit::picture::{WriteError, write_whole};
 use imogene_analysis::metrics::Metrics;
 use imogene_analysis::metrics::toggles::Toggles;
@@ -144,14 +145,16 @@ struct Kept {
     point: Point,
 }
 
-/// The folder of the results of a request: a file for each point, whole or not there, taken again only by the same run.
-pub(super) struct Store<'a> {
+/// A request with its scene at all sizes, and the folder of its results: a file for each point, whole or not there,
+/// taken again only by the same run.
+pub(super) struct Run<'a> {
     pub request: &'a Request<'a>,
+    pub views: Views,
     /// What its results must belong to.
     pub key: Key,
 }
 
-impl Store<'_> {
+impl Run<'_> {
     /// The file of a point.
     pub fn path(&self, id: &str) -> PathBuf {
         self.request.out.join("points").join(format!("{id}.json"))

@@ -2,7 +2,7 @@
 
 use super::TradeError;
 use super::design::Design;
-use super::point::{Cost, Point, Pricing, Store};
+use super::point::{Cost, Point, Pricing, Run};
 use super::report::{Trade, assemble};
 use imogene_contract::RootForm;
 use imogene_contract::words::quadratic;
@@ -13,7 +13,7 @@ const TOGETHER: usize = 16;
 
 type Outcome = Result<(), TradeError>;
 
-impl Store<'_> {
+impl Run<'_> {
     /// All points with their costs. Some are synthesised, all others estimated from them; then, until there are no
     /// more, those that are on the front of speed, which move as they become known.
     pub(super) fn trade(&self, empty: &Trade, mut points: Vec<Point>) -> Result<Trade, TradeError> {

@@ -4,7 +4,7 @@ use super::TradeError;
 use super::design::Design;
 use super::measure::{Measured, measure};
 pub use super::point::Request;
-use super::point::{Key, Point, Store};
+use super::point::{Key, Point, Run};
 use super::prices::clock;
 use super::report::Trade;
 use super::view::Views;
@@ -28,26 +28,21 @@ type Group<'a> = &'a [Design];
 
 type Files = (String, String);
 
-struct Subject<'a> {
-    views: Views,
-    store: Store<'a>,
-}
-
 /// Measures what is not kept already, and sums up all of it.
 /// Fails if the scene is not for machines of quadric processors, or a file cannot be written or read.
 pub fn run(request: &Request) -> Result<Trade, TradeError> {
-    let subject = Subject::new(request)?;
-    let truth = subject.truth_file();
+    let run = Run::new(request)?;
+    let truth = run.truth_file();
     let path = request.out.join(&truth);
     if !path.is_file() {
-        let truth = subject.views.whole_truth();
+        let truth = run.views.whole_truth();
         write_png(&path, truth.width, truth.height, &truth.rgb)?;
     }
-    subject.finish(&groups(&request.designs).collect::<Vec<_>>())?;
+    run.finish(&groups(&request.designs).collect::<Vec<_>>())?;
     let empty = Trade {
         version: request.version.to_owned(),
         scene: request.name.to_owned(),
-        title: subject.views.whole().title.clone(),
+        title: run.views.whole().title.clone(),
         width: request.size.0,
         height: request.size.1,
         target: request.target.to_owned(),
@@ -55,20 +50,20 @@ pub fn run(request: &Request) -> Result<Trade, TradeError> {
         legend: map::legend(),
         ..Trade::default()
     };
-    subject.store.trade(&empty, subject.points()?)
+    run.trade(&empty, run.points()?)
 }
 
 /// Refuses what [`run`] would refuse before it measures anything.
 pub fn check(request: &Request) -> Result<(), TradeError> {
-    Subject::new(request).map(|_| ())
+    Run::new(request).map(|_| ())
 }
 
 /// Measures a part of the points and keeps them, without costs; gives their number.
 pub fn run_shard(request: &Request, shard: Shard) -> Result<usize, TradeError> {
-    let subject = Subject::new(request)?;
+    let run = Run::new(request)?;
     let groups = groups(&request.designs).skip(shard.number - 1);
     let groups: Vec<Group> = groups.step_by(shard.of).collect();
-    subject.finish(&groups)?;
+    run.finish(&groups)?;
     Ok(groups.concat().len())
 }
 
@@ -76,8 +71,8 @@ fn groups(designs: &[Design]) -> impl Iterator<Item = Group<'_>> {
     designs.chunk_by(|a, b| a.accuracy == b.accuracy)
 }
 
-impl<'a> Subject<'a> {
-    fn new(request: &'a Request<'a>) -> Result<Subject<'a>, TradeError> {
+impl<'a> Run<'a> {
+    fn new(request: &'a Request<'a>) -> Result<Run<'a>, TradeError> {
         let views = Views::new(request.file, request.size)?;
         let mut objects = views.whole().objects.iter();
         if let Some(other) = objects.find(|o| o.quadric().is_none()) {
@@ -94,25 +89,27 @@ impl<'a> Subject<'a> {
             target: request.target.to_owned(),
             program: request.program.to_owned(),
         };
-        let store = Store { request, key };
-        Ok(Subject { views, store })
+        Ok(Run {
+            request,
+            views,
+            key,
+        })
     }
 
     /// File of the true picture, which is another for every scene and size.
     fn truth_file(&self) -> String {
-        let (width, height) = self.store.request.size;
-        let key = &self.store.key;
-        let own = digest(format!("{} {}", key.scene, key.program));
+        let (width, height) = self.request.size;
+        let own = digest(format!("{} {}", self.key.scene, self.key.program));
         format!("pictures/truth-{width}x{height}-{}.png", &own[..8])
     }
 
     fn finish(&self, groups: &[Group]) -> Result<(), TradeError> {
         groups.par_iter().try_for_each(|group| {
-            let is_kept = |design: &Design| self.store.take(&design.name()).is_some();
+            let is_kept = |design: &Design| self.take(&design.name()).is_some();
             if !group.iter().all(is_kept) {
                 self.measure(group)?;
             }
-            (self.store.request.done)(group.len() as u64);
+            (self.request.done)(group.len() as u64);
             Ok(())
         })
     }
@@ -121,10 +118,10 @@ impl<'a> Subject<'a> {
         let point = |design: &Design| {
             let id = design.name();
             let changed = "it was changed during the run; run the command again";
-            let lost = || TradeError::unreadable(&self.store.path(&id), changed);
-            Ok(self.with_commands(self.store.take(&id).ok_or_else(lost)?))
+            let lost = || TradeError::unreadable(&self.path(&id), changed);
+            Ok(self.with_commands(self.take(&id).ok_or_else(lost)?))
         };
-        self.store.request.designs.iter().map(point).collect()
+        self.request.designs.iter().map(point).collect()
     }
 
     fn measure(&self, group: Group) -> Result<(), TradeError> {
@@ -133,9 +130,9 @@ impl<'a> Subject<'a> {
         let name = accuracy.name();
         let files = (format!("pictures/{name}.png"), format!("maps/{name}.png"));
         if let Ok(measured) = &measured {
-            let (width, height) = self.store.request.size;
+            let (width, height) = self.request.size;
             for (file, rgb) in [(&files.0, &measured.rgb), (&files.1, &measured.map)] {
-                let path = self.store.request.out.join(file);
+                let path = self.request.out.join(file);
                 write_png(&path, width as usize, height as usize, rgb)?;
             }
         }
@@ -151,17 +148,17 @@ impl<'a> Subject<'a> {
             if let (Some(file), Some(machine)) = (&point.machine_file, &point.machine) {
                 let (id, machine) = (&point.id, machine.to_toml());
                 let text = format!("# The machine of the point {id}\n{machine}");
-                let path = self.store.request.out.join(file);
+                let path = self.request.out.join(file);
                 write_whole(&path, |out| out.write_all(text.as_bytes()))?;
             }
-            self.store.keep(&point)?;
+            self.keep(&point)?;
         }
         Ok(())
     }
 
     fn point(&self, design: &Design, measured: &Measured, files: &Files) -> Result<Point, String> {
         let machine = measured.machine(design)?;
-        let timing = (self.store.request.timing)(&machine);
+        let timing = (self.request.timing)(&machine);
         let is_beam = machine.machine == MachineKind::Beam;
         let id = design.name();
         // The registers of the restoring network are those that are counted.
@@ -176,7 +173,7 @@ impl<'a> Subject<'a> {
             errors: Some(measured.metrics.clone()),
             picture_error: Some(measured.picture_error),
             toggles: toggles.transpose()?,
-            mhz_estimated: clock(&machine, self.store.request.target),
+            mhz_estimated: clock(&machine, self.request.target),
             picture: Some(files.0.clone()),
             map: Some(files.1.clone()),
             machine_file: Some(format!("machines/{id}.toml")),
@@ -188,16 +185,16 @@ impl<'a> Subject<'a> {
 
     /// The point with the commands that make it again, which depend on the folder.
     fn with_commands(&self, point: Point) -> Point {
-        let scene = quoted(self.store.request.name);
+        let scene = quoted(self.request.name);
         let Some(file) = &point.machine_file else {
-            let (width, height) = self.store.request.size;
+            let (width, height) = self.request.size;
             let widths = widths::print(&point.design.accuracy.widest());
             let command = format!(
                 "imogene render {scene} --size {width}x{height} --model golden --widths {widths} -o picture.png"
             );
             return Point { command, ..point };
         };
-        let file = quoted(&self.store.request.out.join(file).display().to_string());
+        let file = quoted(&self.request.out.join(file).display().to_string());
         let command = format!("imogene machine {scene} --machine {file} --out DIR");
         Point {
             emit: Some(command.replace(" --out", " --emit-only --out")),
