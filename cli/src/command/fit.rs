@@ -3,7 +3,7 @@
 mod contract;
 
 use super::emit::add_verilog;
-use super::fitted::costs;
+use super::fitted::{costs, emitted};
 use super::size_of;
 use crate::arguments::{Fit, MACHINE_FILE};
 use crate::failure::{Failure, Result};
@@ -293,7 +293,7 @@ fn price(
     options: &Fit,
 ) -> Result<Vec<MachineCost>> {
     let with_clock = options.clock || options.min_mhz.is_some();
-    costs(machines, Parts::Cores, target, with_clock)
+    costs(&emitted(machines)?, Parts::Cores, target, with_clock)
 }
 
 fn cheapest(priced: Vec<Choice<'_>>, min_mhz: Option<f64>, target: Target) -> Result<Choice<'_>> {

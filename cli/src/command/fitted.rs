@@ -79,7 +79,11 @@ pub fn estimates(
     Ok(costs)
 }
 
-fn emitted<'a>(machines: impl Iterator<Item = &'a MachineDescription>) -> Result<Vec<Emitted>> {
+/// The hardware of whole machines.
+pub fn emitted<'a>(
+    machines: impl IntoIterator<Item = &'a MachineDescription>,
+) -> Result<Vec<Emitted>> {
+    let machines = machines.into_iter();
     let emitted = machines.map(|machine| emit_machine(&request_for(machine, &[], "")));
     Ok(emitted.collect::<Result<_, _>>()?)
 }
@@ -87,27 +91,17 @@ fn emitted<'a>(machines: impl Iterator<Item = &'a MachineDescription>) -> Result
 /// What whole machines cost on a target as sums of such parts, in their order; with the clock of their slowest unit if
 /// it is asked for.
 pub fn costs(
-    machines: &[MachineDescription],
-    parts: Parts,
-    target: Target,
-    with_clock: bool,
-) -> Result<Vec<MachineCost>> {
-    costs_of(&emitted(machines.iter())?, parts, target, with_clock)
-}
-
-/// The same of emitted machines.
-pub fn costs_of(
     emitted: &[Emitted],
     parts: Parts,
     target: Target,
     with_clock: bool,
 ) -> Result<Vec<MachineCost>> {
-    let bar = output::progress(0, "modules and clocks");
-    let done = |known, of| {
-        bar.set_length(of as u64);
-        bar.set_position(known as u64);
-    };
-    let costs = machine_costs(emitted, parts, target, with_clock, &done).map_err(Failure::from);
-    bar.finish_and_clear();
-    costs
+    let costs = output::during(0, "modules and clocks", |bar| {
+        let done = |known, of| {
+            bar.set_length(of as u64);
+            bar.set_position(known as u64);
+        };
+        machine_costs(emitted, parts, target, with_clock, &done)
+    });
+    Ok(costs?)
 }

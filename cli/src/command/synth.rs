@@ -45,7 +45,7 @@ fn run_unit(unit: &str, target: &str, options: &Synth, json: bool) -> Result {
 
 /// The cost of a machine of its own widths: the sum of its units, and the clock of the slowest.
 fn run_machine(machine: &MachineRequest, target: Target, json: bool) -> Result {
-    let cost = fitted::costs_of(&[emit_machine(machine)?], Parts::Units, target, true)?[0];
+    let cost = fitted::costs(&[emit_machine(machine)?], Parts::Units, target, true)?[0];
     let told = with(cost, json!({ "target": target.name() }));
     let page = output::page(include_str!("synth/fitted.txt"), told)?;
     output::report(json, &cost, |_| output::text(page));

@@ -114,8 +114,10 @@ fn costs(
     }
     let costs = match pricing {
         Pricing::Estimated(known) => fitted::estimates(known, machines, target),
-        Pricing::Synthesised => fitted::costs(machines, Parts::Units, target, false),
-        Pricing::Routed => fitted::costs(machines, Parts::Units, target, true),
+        Pricing::Synthesised | Pricing::Routed => fitted::emitted(machines).and_then(|machines| {
+            let with_clock = matches!(pricing, Pricing::Routed);
+            fitted::costs(&machines, Parts::Units, target, with_clock)
+        }),
     };
     let costs = costs.map_err(|failure| failure.message().unwrap_or_default())?;
     let cost = |c: &MachineCost| Cost {
