@@ -52,9 +52,8 @@ fn problem(error: &clap::Error) -> String {
     let text = error.render().to_string();
     let text = text.trim_end();
     let text = text.strip_prefix("error: ").unwrap_or(text);
-    let pairs = IN_PLAIN_WORDS
-        .iter()
-        .filter_map(|row| row.split_once(" => "));
+    let rows = IN_PLAIN_WORDS.iter();
+    let pairs = rows.filter_map(|row| row.split_once(" => "));
     pairs.fold(text.to_owned(), |text, (said, meant)| {
         text.replace(said, meant)
     })

@@ -73,6 +73,7 @@ pub fn run(options: &Machine, json: bool) -> Result {
     let (columns, lines) = machine.frame_size().unwrap_or_default();
     let fields = machine.fields().len();
     let plans = images.iter().filter_map(|image| image.plan.as_ref());
+    let zone_clocks = plans.filter_map(|plan| Some(clocks(plan, &timing?)));
     let mut summary = MachineReport {
         machine: &machine,
         top,
@@ -80,9 +81,7 @@ pub fn run(options: &Machine, json: bool) -> Result {
         clocks_per_frame: clocks_per_frame.filter(|_| machine.output == Output::Pins),
         pixels_per_frame: columns * lines,
         words: images.iter().map(|image| image.beats.len()).collect(),
-        zone_clocks: plans
-            .filter_map(|plan| timing.map(|timing| clocks(plan, &timing)))
-            .collect(),
+        zone_clocks: zone_clocks.collect(),
         taking: vec![],
         loading: vec![],
         shown: vec![],

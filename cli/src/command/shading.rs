@@ -51,12 +51,8 @@ pub fn run(options: &Shading, json: bool) -> Result {
     let mut sets = vec![("of the hardware".to_string(), widths)];
     if options.sweep {
         for (name, width) in widths.named() {
-            let shorter = |less| {
-                (
-                    format!("{name} {width} - {less}"),
-                    widths.shorter(name, less),
-                )
-            };
+            let called = |less| format!("{name} {width} - {less}");
+            let shorter = |less| (called(less), widths.shorter(name, less));
             sets.extend((1..=MOST_LESS).map(shorter));
         }
     }

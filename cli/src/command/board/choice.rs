@@ -105,13 +105,10 @@ pub(super) fn hertz(mode: &VideoMode, rate: u32) -> u64 {
 }
 
 pub(super) fn command(options: &arguments::Board) -> String {
+    let scene = options.scene.display();
     let machine = options.machine.as_ref().map(|path| path.display());
     [
-        format!(
-            "imogene board {} {}",
-            options.board,
-            options.scene.display()
-        ),
+        format!("imogene board {} {scene}", options.board),
         option("machine", machine),
         option("mode", options.mode.as_ref()),
         if options.flat { " --flat" } else { "" }.to_owned(),

@@ -47,18 +47,13 @@ impl Film {
         let views: Vec<(&Path, View)> = views.collect();
         let described = options.machine.as_deref().unwrap_or(scene);
         let images = images_of(&views, machine, described)?;
-        let black = vec![0; images[0].picture.len()];
+        let beats = images.iter().map(|image| image.beats.as_slice());
+        let pictures = images.iter().map(|image| seen(board, &image.picture));
         Ok(Film {
-            black,
+            black: vec![0; images[0].picture.len()],
             tables: images[0].tables.clone(),
-            words: changes(
-                images.iter().map(|image| image.beats.as_slice()),
-                &machine.slots(),
-            ),
-            pictures: images
-                .iter()
-                .map(|image| seen(board, &image.picture))
-                .collect(),
+            words: changes(beats, &machine.slots()),
+            pictures: pictures.collect(),
             stay,
             rate,
         })

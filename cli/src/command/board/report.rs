@@ -86,10 +86,8 @@ impl Shown {
 impl BoardReport<'_> {
     /// Fails where pins do not show the golden picture.
     pub(super) fn verdict(&self) -> Result {
-        let shown = [&self.pins, &self.bitstream, &self.netlist]
-            .into_iter()
-            .flatten();
-        let differing: usize = shown.map(|shown| shown.differing).sum();
+        let shown = [&self.pins, &self.bitstream, &self.netlist].into_iter();
+        let differing: usize = shown.flatten().map(|shown| shown.differing).sum();
         Failure::unless(differing == 0, || {
             let (pixels, command) = (counted(differing, "differing pixel"), &self.command);
             format!("{pixels} on the pins of the board; please report the command: {command}")
