@@ -155,7 +155,7 @@ impl Sight {
                 .vector(&camera.up.map(from_decimal))
                 .map(|v| to_f64(&v));
             let name = camera.node.name.as_deref().unwrap_or_default();
-            check_up(&format!("camera `{name}`, up"), sight.view, sight.up)?;
+            check_up(format_args!("camera `{name}`, up"), sight.view, sight.up)?;
         }
         Ok(sight)
     }

@@ -8,6 +8,7 @@ use super::limits::*;
 use super::names::{Names, check_camera_name, known};
 use super::step::Step;
 use std::collections::HashMap;
+use std::fmt::Arguments;
 
 /// Most images of an animation.
 const MAX_IMAGES: usize = 10_000;
@@ -22,64 +23,64 @@ pub(super) fn check_images(file: &SceneFile, names: &Names) -> Checked {
     check_count("images", file.images.len(), "images", MAX_IMAGES)?;
     let mut index_of = HashMap::new();
     for (index, image) in file.images.iter().enumerate() {
-        check_name(&format!("images[{index}].name"), &image.name)?;
+        check_name(format_args!("images[{index}].name"), &image.name)?;
         let is_new = index_of.insert(image.name.as_str(), index).is_none();
-        check_new(is_new, &format!("image `{}`", image.name), "image")?;
+        check_new(is_new, format_args!("image `{}`", image.name), "image")?;
     }
     for image in &file.images {
-        let place = format!("image `{}`", image.name);
-        check_timing(&place, image)?;
+        let place = format_args!("image `{}`", image.name);
+        check_timing(place, image)?;
         for (index, action) in image.actions.iter().enumerate() {
-            let key = format!("{place}, actions[{index}]");
-            check_action(&key, action, image.steps, file, names)?;
+            let key = format_args!("{place}, actions[{index}]");
+            check_action(key, action, image.steps, file, names)?;
         }
     }
     check_parents(&file.images, &index_of)?;
     let active = file.images.iter().filter(|image| image.active);
     let frames: u64 = active.map(|image| u64::from(image.steps)).sum();
-    unless(frames <= u64::from(MAX_FRAMES), || {
-        let accepted = format!("an animation has at most {MAX_FRAMES}");
-        ("images", format!("{frames} frames"), accepted)
-    })
+    let problem = format_args!("{frames} frames");
+    let accepted = format_args!("an animation has at most {MAX_FRAMES}");
+    unless(frames <= u64::from(MAX_FRAMES), "images", problem, accepted)
 }
 
-fn check_timing(place: &str, image: &KeyImage) -> Checked {
-    let accepted = format!("each frame is shown for {SHORTEST_FRAME} to {LONGEST_FRAME} seconds");
+fn check_timing(place: Arguments, image: &KeyImage) -> Checked {
     let (key, range) = (
-        format!("{place}, duration"),
+        format_args!("{place}, duration"),
         [SHORTEST_FRAME, LONGEST_FRAME],
     );
-    check_within(key, image.duration, range, &accepted)?;
-    let accepted = format!("an image has 1 to {MAX_FRAMES} frames");
-    let (key, range) = (format!("{place}, steps"), [1, MAX_FRAMES]);
-    check_within(key, image.steps, range, &accepted)
+    let accepted =
+        format_args!("each frame is shown for {SHORTEST_FRAME} to {LONGEST_FRAME} seconds");
+    check_within(key, image.duration, range, accepted)?;
+    let accepted = format_args!("an image has 1 to {MAX_FRAMES} frames");
+    let key = format_args!("{place}, steps");
+    check_within(key, image.steps, [1, MAX_FRAMES], accepted)
 }
 
 fn check_action(
-    place: &str,
+    place: Arguments,
     action: &Action,
     steps: u32,
     file: &SceneFile,
     names: &Names,
 ) -> Checked {
+    let key = |key: &str| format!("{place}.{key}");
     match action {
         Action::Move { target, step, .. } => {
             let all = ["object", "group", "light", "camera"];
-            check_target(&format!("{place}.target"), target, &all, names)?;
+            check_target(&key("target"), target, &all, names)?;
             check_step(place, step)?;
             check_parts(place, step, steps)
         }
         Action::Show { target, .. } => {
-            let seen = &["object", "group", "light"];
-            check_target(&format!("{place}.target"), target, seen, names)
+            check_target(&key("target"), target, &["object", "group", "light"], names)
         }
         Action::Intensity { light, intensity } => {
-            check_target(&format!("{place}.light"), light, &["light"], names)?;
-            check_share(&format!("{place}.intensity"), *intensity, MAX_INTENSITY)
+            check_target(&key("light"), light, &["light"], names)?;
+            check_share(key("intensity"), *intensity, MAX_INTENSITY)
         }
         Action::Focal { camera, focal } => check_focal(place, camera, *focal, file),
         Action::ActiveCamera { active_camera } => {
-            check_camera_name(file, &format!("{place}.active_camera"), active_camera)
+            check_camera_name(file, key("active_camera"), active_camera)
         }
     }
 }
@@ -110,35 +111,31 @@ fn with_article(words: &str) -> String {
     format!("{} {words}", if vowel { "an" } else { "a" })
 }
 
-fn check_focal(place: &str, name: &str, focal: f64, file: &SceneFile) -> Checked {
-    check_camera_name(file, &format!("{place}.camera"), name)?;
-    unless(
-        file.camera_named(name).is_none_or(Camera::is_perspective),
-        || {
-            let problem = format!("`{name}` is an orthographic camera and has no lens");
-            let accepted = "a perspective camera is needed";
-            (format!("{place}.camera"), problem, accepted)
-        },
-    )?;
-    check_number(&format!("{place}.focal"), focal)?;
-    let accepted =
-        format!("a focal length from {SHORTEST_FOCAL} to {LONGEST_FOCAL} millimetres is possible");
-    let range = [SHORTEST_FOCAL, LONGEST_FOCAL];
-    check_within(format!("{place}.focal"), focal, range, &accepted)
+fn check_focal(place: Arguments, name: &str, focal: f64, file: &SceneFile) -> Checked {
+    let key = format_args!("{place}.camera");
+    check_camera_name(file, key, name)?;
+    let is_sound = file.camera_named(name).is_none_or(Camera::is_perspective);
+    let problem = format_args!("`{name}` is an orthographic camera and has no lens");
+    unless(is_sound, key, problem, "a perspective camera is needed")?;
+    let key = format_args!("{place}.focal");
+    check_number(key, focal)?;
+    let accepted = format_args!(
+        "a focal length from {SHORTEST_FOCAL} to {LONGEST_FOCAL} millimetres is possible"
+    );
+    check_within(key, focal, [SHORTEST_FOCAL, LONGEST_FOCAL], accepted)
 }
 
 /// Refuses a mirror image over several frames: on the way there is a frame without thickness.
-fn check_parts(place: &str, step: &Step, steps: u32) -> Checked {
+fn check_parts(place: Arguments, step: &Step, steps: u32) -> Checked {
     let Step::Scale(scale) = step else {
         return Ok(());
     };
     let factors = scale.factors();
     let mirrors = factors.iter().any(|factor| *factor < 0.0);
-    unless(steps <= 1 || !mirrors, || {
-        let problem = format!("{factors:?} mirrors, which cannot be spread over {steps} frames");
-        let accepted = "factors above 0, or an image with `steps = 1`, are needed";
-        (format!("{place}.scale"), problem, accepted)
-    })
+    let key = format_args!("{place}.scale");
+    let problem = format_args!("{factors:?} mirrors, which cannot be spread over {steps} frames");
+    let accepted = "factors above 0, or an image with `steps = 1`, are needed";
+    unless(steps <= 1 || !mirrors, key, problem, accepted)
 }
 
 /// Refuses parents that do not exist and images that start from themselves.
@@ -181,10 +178,11 @@ fn parent_of(
         return Ok(None);
     };
     let index = index_of.get(name.as_str()).copied();
-    unless(index.is_some(), || {
-        let problem = format!("`{name}` is not an image of this scene");
+    if index.is_none() {
+        let place = format_args!("image `{}`, parent", image.name);
+        let problem = format_args!("`{name}` is not an image of this scene");
         let accepted = known(images.iter().map(|i| i.name.as_str()), "`[[images]]`");
-        (format!("image `{}`, parent", image.name), problem, accepted)
-    })?;
+        return Err(SceneError::value(place, problem, accepted));
+    }
     Ok(index)
 }

@@ -15,17 +15,17 @@ use imogene_contract::words::MOST_SIDES;
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 use std::collections::HashSet;
+use std::fmt::Arguments;
 
 /// Refuses an object whose numbers are in order and whose kind or processor cannot be had with them.
-pub(super) fn check_kind(place: &str, object: &Object, camera: &Camera) -> Checked {
+pub(super) fn check_kind(place: Arguments, object: &Object, camera: &Camera) -> Checked {
     match &object.shape {
         Shape::Polyhedron => {
             without_choice(place, object, "a polyhedron")?;
-            unless(!object.cuts.is_empty(), || {
-                let accepted = "1 to 12 cuts, the planes of its faces, are needed";
-                let problem = "a polyhedron without cuts has no face";
-                (format!("{place}, cuts"), problem, accepted)
-            })
+            let key = format_args!("{place}, cuts");
+            let problem = "a polyhedron without cuts has no face";
+            let accepted = "1 to 12 cuts, the planes of its faces, are needed";
+            unless(!object.cuts.is_empty(), key, problem, accepted)
         }
         Shape::Mesh(mesh) => check_mesh(place, object, mesh),
         Shape::TetrahedronPatch { corners, weights } => {
@@ -49,55 +49,60 @@ pub(super) fn check_kind(place: &str, object: &Object, camera: &Camera) -> Check
 }
 
 /// Refuses the processor that was asked for unless it would do.
-fn require_processor(does: bool, at: (&str, &Object), problem: &str, accepted: &str) -> Checked {
-    let (place, object) = at;
-    unless(does, || {
-        let name = toml::Value::try_from(object.processor).expect("a processor that was asked for");
-        let place = format!("{place}, processor");
-        (place, format!("{name} {problem}"), accepted)
-    })
+fn require_processor(
+    does: bool,
+    (place, object): (Arguments, &Object),
+    problem: &str,
+    accepted: &str,
+) -> Checked {
+    if does {
+        return Ok(());
+    }
+    let name = toml::Value::try_from(object.processor).expect("a processor that was asked for");
+    let (key, problem) = (
+        format_args!("{place}, processor"),
+        format_args!("{name} {problem}"),
+    );
+    Err(SceneError::value(key, problem, accepted))
 }
 
-fn without_choice(place: &str, object: &Object, owner: &str) -> Checked {
+fn without_choice(place: Arguments, object: &Object, owner: &str) -> Checked {
     let problem = format!("does not draw {owner}, which has a processor of its own");
     let (is_none, at) = (object.processor.is_none(), (place, object));
     require_processor(is_none, at, &problem, "no `processor` is needed")
 }
 
-fn check_mesh(place: &str, object: &Object, mesh: &Mesh) -> Checked {
+fn check_mesh(place: Arguments, object: &Object, mesh: &Mesh) -> Checked {
     without_choice(place, object, "a mesh")?;
     refuse_cuts(place, object, "a mesh cannot be cut")?;
     let count = mesh.vertices.len();
-    unless(count >= 3, || {
-        let problem = format!("vertices: {count}, which make no facet");
-        let accepted = "at least three are needed";
-        (format!("{place}, vertices"), problem, accepted)
-    })?;
-    unless(!mesh.faces.is_empty(), || {
-        let accepted = "at least one [i, j, k] or [i, j, k, l] is needed";
-        (format!("{place}, faces"), "the mesh has no face", accepted)
-    })?;
+    let key = format_args!("{place}, vertices");
+    let problem = format_args!("vertices: {count}, which make no facet");
+    unless(count >= 3, key, problem, "at least three are needed")?;
+    let key = format_args!("{place}, faces");
+    let (has_faces, problem) = (!mesh.faces.is_empty(), "the mesh has no face");
+    let accepted = "at least one [i, j, k] or [i, j, k, l] is needed";
+    unless(has_faces, key, problem, accepted)?;
     for (index, vertex) in mesh.vertices.iter().enumerate() {
-        check_numbers(&format!("{place}, vertices[{index}]"), vertex)?;
+        check_numbers(format_args!("{place}, vertices[{index}]"), vertex)?;
     }
     let normals = mesh.normals.len();
-    unless(normals == 0 || normals == count, || {
-        let problem = format!("{normals} normals for {count} vertices");
-        let accepted = "one normal for each vertex is needed, or no `normals` for flat facets";
-        (format!("{place}, normals"), problem, accepted)
-    })?;
+    let key = format_args!("{place}, normals");
+    let problem = format_args!("{normals} normals for {count} vertices");
+    let accepted = "one normal for each vertex is needed, or no `normals` for flat facets";
+    unless(normals == 0 || normals == count, key, problem, accepted)?;
     for (index, normal) in mesh.normals.iter().enumerate() {
-        check_direction(&format!("{place}, normals[{index}]"), *normal)?;
+        check_direction(format_args!("{place}, normals[{index}]"), *normal)?;
     }
     let vertices = mesh.vertices.iter().map(|v| v.map(from_decimal));
     let vertices: Vec<[BigRational; 3]> = vertices.collect();
     let mut faces = mesh.faces.iter().enumerate();
     faces.try_for_each(|(index, corners)| {
-        check_face(&format!("{place}, faces[{index}]"), corners, &vertices)
+        check_face(format_args!("{place}, faces[{index}]"), corners, &vertices)
     })
 }
 
-fn check_face(place: &str, corners: &[usize], vertices: &[[BigRational; 3]]) -> Checked {
+fn check_face(place: Arguments, corners: &[usize], vertices: &[[BigRational; 3]]) -> Checked {
     let (problem, accepted) = if !(3..=4).contains(&corners.len()) {
         let problem = format!("has {} corners", corners.len());
         (problem, "a face has three or four".to_owned())
@@ -120,7 +125,7 @@ fn check_face(place: &str, corners: &[usize], vertices: &[[BigRational; 3]]) -> 
 }
 
 fn check_tetrahedron(
-    place: &str,
+    place: Arguments,
     object: &Object,
     corners: &[[f64; 3]; 4],
     weights: &[f64; 10],
@@ -128,9 +133,9 @@ fn check_tetrahedron(
     let problem = "the faces of the tetrahedron are the cuts of this kind";
     refuse_cuts(place, object, problem)?;
     for (index, corner) in corners.iter().enumerate() {
-        check_numbers(&format!("{place}, corners[{index}]"), corner)?;
+        check_numbers(format_args!("{place}, corners[{index}]"), corner)?;
     }
-    check_numbers(&format!("{place}, weights"), weights)?;
+    check_numbers(format_args!("{place}, weights"), weights)?;
     let drawn_by = object.drawn_by();
     let does = matches!(drawn_by, Some(Processor::Patch | Processor::Quadric));
     let problem = "does not draw a tetrahedral patch";
@@ -139,24 +144,23 @@ fn check_tetrahedron(
     let Some(quadric) = Quadric::from_shape(&object.shape) else {
         let problem = "the four corners lie in one plane";
         let accepted = "corners of a tetrahedron with a volume are needed";
-        let place = format!("{place}, corners");
+        let place = format_args!("{place}, corners");
         return Err(SceneError::value(place, problem, accepted));
     };
     let is_plane = quadric.coefficients()[..6].iter().all(|v| v.is_zero());
-    unless(!is_plane, || {
-        let accepted = "weights whose patch is of second degree are needed";
-        let problem = "the weights make a plane, or nothing";
-        (format!("{place}, weights"), problem, accepted)
-    })
+    let key = format_args!("{place}, weights");
+    let problem = "the weights make a plane, or nothing";
+    let accepted = "weights whose patch is of second degree are needed";
+    unless(!is_plane, key, problem, accepted)
 }
 
-fn refuse_cuts(place: &str, object: &Object, problem: &str) -> Checked {
-    unless(object.cuts.is_empty(), || {
-        (format!("{place}, cuts"), problem, "no `cuts` are possible")
-    })
+fn refuse_cuts(place: Arguments, object: &Object, problem: &str) -> Checked {
+    let key = format_args!("{place}, cuts");
+    let accepted = "no `cuts` are possible";
+    unless(object.cuts.is_empty(), key, problem, accepted)
 }
 
-fn require_mode(place: &str, object: &Object, wanted: Surface) -> Checked {
+fn require_mode(place: Arguments, object: &Object, wanted: Surface) -> Checked {
     let (problem, accepted) = match wanted {
         Surface::Patch => (
             "draws surfaces, and this object is a solid",
@@ -170,7 +174,7 @@ fn require_mode(place: &str, object: &Object, wanted: Surface) -> Checked {
     require_processor(object.mode == wanted, (place, object), problem, accepted)
 }
 
-fn require_parallel_view(place: &str, object: &Object, camera: &Camera) -> Checked {
+fn require_parallel_view(place: Arguments, object: &Object, camera: &Camera) -> Checked {
     require_processor(
         !camera.is_perspective(),
         (place, object),
@@ -179,7 +183,7 @@ fn require_parallel_view(place: &str, object: &Object, camera: &Camera) -> Check
     )
 }
 
-fn check_first_generation(place: &str, object: &Object) -> Checked {
+fn check_first_generation(place: Arguments, object: &Object) -> Checked {
     let problem = match object.cuts.as_slice() {
         [one, other] => {
             let [u, v] = [one, other].map(|cut| cut.normal.map(from_decimal));
@@ -196,11 +200,11 @@ fn check_first_generation(place: &str, object: &Object) -> Checked {
     };
     let accepted =
         "exactly two parallel cuts, with normals that point away from each other, are needed";
-    let place = format!("{place}, cuts");
+    let place = format_args!("{place}, cuts");
     Err(SceneError::value(place, problem, accepted))
 }
 
-fn check_paraboloid(place: &str, object: &Object) -> Checked {
+fn check_paraboloid(place: Arguments, object: &Object) -> Checked {
     require_mode(place, object, Surface::Solid)?;
     let placed = Transform::placement(&object.place);
     match object.shape {
@@ -224,16 +228,15 @@ fn check_paraboloid(place: &str, object: &Object) -> Checked {
     }
 }
 
-fn require_round(place: &str, round: bool, problem: &str) -> Checked {
-    unless(round, || {
-        let problem = format!("the {problem} after these steps");
-        let accepted = "scales that keep it round, or the processor \"quadric\", would be accepted";
-        (format!("{place}, place"), problem, accepted)
-    })
+fn require_round(place: Arguments, round: bool, problem: &str) -> Checked {
+    let key = format_args!("{place}, place");
+    let problem = format_args!("the {problem} after these steps");
+    let accepted = "scales that keep it round, or the processor \"quadric\", would be accepted";
+    unless(round, key, problem, accepted)
 }
 
 /// Both ends of a cylinder: two cuts across the y axis, the lower one downwards.
-fn check_discs(place: &str, object: &Object) -> Checked {
+fn check_discs(place: Arguments, object: &Object) -> Checked {
     let across = |normal: [f64; 3]| normal[0] == 0.0 && normal[2] == 0.0;
     let problem = match object.cuts.as_slice() {
         [one, other] => {
@@ -256,11 +259,11 @@ fn check_discs(place: &str, object: &Object) -> Checked {
         ),
     };
     let accepted = "exactly two cuts with normals [0, 1, 0] and, below it, [0, -1, 0] are needed";
-    let place = format!("{place}, cuts");
+    let place = format_args!("{place}, cuts");
     Err(SceneError::value(place, problem, accepted))
 }
 
-fn check_curved_facet(place: &str, object: &Object) -> Checked {
+fn check_curved_facet(place: Arguments, object: &Object) -> Checked {
     require_mode(place, object, Surface::Patch)?;
     if let Shape::Sphere { .. } = object.shape {
         let problem =
@@ -270,8 +273,7 @@ fn check_curved_facet(place: &str, object: &Object) -> Checked {
         return require_round(place, round, "sphere is no longer a sphere");
     }
     let count = object.cuts.len();
-    unless(count <= MOST_SIDES as usize, || {
-        let accepted = format!("the processor \"curved_facet\" has at most {MOST_SIDES} sides");
-        (format!("{place}, cuts"), format!("{count} cuts"), accepted)
-    })
+    let (key, problem) = (format_args!("{place}, cuts"), format_args!("{count} cuts"));
+    let accepted = format_args!("the processor \"curved_facet\" has at most {MOST_SIDES} sides");
+    unless(count <= MOST_SIDES as usize, key, problem, accepted)
 }

@@ -6,6 +6,7 @@ use super::file::SceneFile;
 use super::group::Groups;
 use super::limits::{Checked, check_name, check_new, unless};
 use std::collections::HashMap;
+use std::fmt::Display;
 
 /// Most groups above a member.
 pub const MAX_NESTING: usize = 64;
@@ -32,9 +33,9 @@ pub(super) fn check_names(file: &SceneFile) -> Result<Names<'_>, SceneError> {
             let Some(name) = name else {
                 continue;
             };
-            check_name(&format!("{word}s[{index}].name"), name)?;
+            check_name(format_args!("{word}s[{index}].name"), name)?;
             if let Some(earlier) = names.insert(name, word) {
-                check_new(false, &format!("{word} `{name}`"), earlier)?;
+                check_new(false, format_args!("{word} `{name}`"), earlier)?;
             }
         }
     }
@@ -69,26 +70,27 @@ pub(super) fn place_of(camera: &Camera) -> String {
 }
 
 fn check_group(file: &SceneFile, group: &Option<String>, place: impl Fn() -> String) -> Checked {
-    let Some(name) = group else {
-        return Ok(());
-    };
-    unless(file.groups.iter().any(|g| g.name == *name), || {
-        (
-            format!("{}, group", place()),
-            format!("`{name}` is not a group of this scene"),
-            known(file.groups.iter().map(|g| g.name.as_str()), "`[[groups]]`"),
-        )
-    })
+    let names = || file.groups.iter().map(|group| group.name.as_str());
+    match group {
+        Some(name) if !names().any(|own| own == name) => Err(SceneError::value(
+            format_args!("{}, group", place()),
+            format_args!("`{name}` is not a group of this scene"),
+            known(names(), "`[[groups]]`"),
+        )),
+        _ => Ok(()),
+    }
 }
 
-pub(super) fn check_camera_name(file: &SceneFile, place: &str, name: &str) -> Checked {
-    unless(file.camera_named(name).is_some(), || {
-        let names = file
-            .all_cameras()
-            .filter_map(|camera| camera.node.name.as_deref());
-        let problem = format!("`{name}` is not a camera of this scene");
-        (place, problem, known(names, "camera with a `name`"))
-    })
+pub(super) fn check_camera_name(file: &SceneFile, place: impl Display, name: &str) -> Checked {
+    if file.camera_named(name).is_some() {
+        return Ok(());
+    }
+    let names = file
+        .all_cameras()
+        .filter_map(|camera| camera.node.name.as_deref());
+    let problem = format_args!("`{name}` is not a camera of this scene");
+    let accepted = known(names, "camera with a `name`");
+    Err(SceneError::value(place, problem, accepted))
 }
 
 /// What a scene has of a sort, as the last part of a message; long lists are cut.
@@ -115,22 +117,20 @@ pub(super) fn known_all<'a>(names: impl Iterator<Item = &'a str>, what: &str) ->
 fn check_circles(file: &SceneFile) -> Checked {
     let groups = Groups::of(&file.groups);
     for group in &file.groups {
-        let place = || format!("group `{}`, group", group.name);
+        let place = format_args!("group `{}`, group", group.name);
         let mut path = vec![format!("`{}`", group.name)];
         for above in groups.chain(group.group.as_deref()) {
             path.push(format!("`{}`", above.name));
-            unless(above.name != group.name, || {
-                let problem = format!("the group is within itself: {}", path.join(" in "));
+            if above.name == group.name {
+                let problem = format_args!("the group is within itself: {}", path.join(" in "));
                 let accepted = "a group belongs to one outside it, or to none";
-                (place(), problem, accepted)
-            })?;
-            unless(path.len() <= MAX_NESTING, || {
-                let problem = format!(
-                    "more than {MAX_NESTING} groups are above it, or they go round in a circle"
-                );
-                let accepted = format!("at most {MAX_NESTING} are possible");
-                (place(), problem, accepted)
-            })?;
+                return Err(SceneError::value(place, problem, accepted));
+            }
+            let problem = format_args!(
+                "more than {MAX_NESTING} groups are above it, or they go round in a circle"
+            );
+            let accepted = format_args!("at most {MAX_NESTING} are possible");
+            unless(path.len() <= MAX_NESTING, place, problem, accepted)?;
         }
     }
     Ok(())
