@@ -55,6 +55,14 @@ pub fn length(v: Vector) -> f64 {
     square(v).sqrt()
 }
 
+/// The vector at length one; one without length has no direction, and stays.
+pub fn unit(v: Vector) -> Vector {
+    match length(v) {
+        0.0 => v,
+        length => v.map(|part| part / length),
+    }
+}
+
 /// The difference of two vectors.
 pub fn minus<T: Ring, const N: usize>(u: impl Borrow<[T; N]>, v: impl Borrow<[T; N]>) -> [T; N] {
     let (u, v) = (u.borrow(), v.borrow());

@@ -4,11 +4,11 @@
 //! perspective. `F = k / (d + k)` where light is halved at a distance k from the eye, else 1. Surfaces are two-sided:
 //! the normal is turned towards the viewer.
 
-use imogene_algebra::vector::{Vector, dot, length, minus};
+use imogene_algebra::vector::{Vector, dot, length, unit};
 use imogene_golden::format::Format;
 use imogene_golden::machine::frame::{Frame, FrameLayer};
 use imogene_golden::machine::lighting::{ALL_SOURCES, Lighting};
-use imogene_scene::{FramedLight, FramedScene};
+use imogene_scene::FramedScene;
 use rayon::prelude::*;
 
 /// The picture of a frame: 8-bit red, green, blue of every pixel, row-major. A source that does not reach a pixel adds
@@ -54,6 +54,7 @@ fn colour(scene: &FramedScene, object: usize, point: Vector, normal: Vector, fla
     let to_eye = scene.projection.towards_viewer(point);
     let part = (scene.attenuation).map_or(1.0, |half| half / (length(to_eye) + half));
     let viewer = unit(to_eye);
+    // The apex of a cone has no normal.
     let normal = unit(normal);
     let turn = if dot(normal, viewer) < 0.0 { -1.0 } else { 1.0 };
     let normal = normal.map(|v| turn * v);
@@ -63,10 +64,7 @@ fn colour(scene: &FramedScene, object: usize, point: Vector, normal: Vector, fla
         if flags >> source & 1 == 0 {
             continue;
         }
-        let (direction, intensity) = match light {
-            FramedLight::Directional { towards, colour } => (unit(*towards), colour),
-            FramedLight::Point { position, colour } => (unit(minus(position, point)), colour),
-        };
+        let direction = light.towards(point);
         let lambert = dot(normal, direction);
         if lambert <= 0.0 {
             continue;
@@ -76,17 +74,9 @@ fn colour(scene: &FramedScene, object: usize, point: Vector, normal: Vector, fla
         let highlight = along.powi(material.exponent as i32);
         for k in 0..3 {
             sum[k] += part
-                * intensity[k]
+                * light.colour[k]
                 * (material.diffuse * material.colour[k] * lambert + material.specular * highlight);
         }
     }
     sum
-}
-
-/// The vector at length one; the zero vector stays as it is (the apex of a cone has no normal).
-pub fn unit(v: Vector) -> Vector {
-    match length(v) {
-        0.0 => v,
-        length => v.map(|x| x / length),
-    }
 }

@@ -200,7 +200,7 @@ fn add(machine: &mut MachineDescription, (framed, prepared): Scene) -> Result<()
     ] {
         *given = needed.max(*given);
     }
-    let points = framed.lights.iter().filter(|light| light.is_at_a_point());
+    let points = framed.lights.iter().filter(|light| light.is_at_a_point);
     let directional = machine.lights - points.count().min(lights);
     machine.suns = machine.suns.min(directional);
     Ok(())

@@ -13,7 +13,7 @@ use imogene_golden::unit::cut_plane::PlaneKind;
 use imogene_golden::unit::depth_interval::{Class, FACE_NEAR};
 use imogene_golden::unit::pe1::Linear;
 use imogene_prepare::{PreparedObject, PreparedScene};
-use imogene_scene::{FramedLight, FramedScene};
+use imogene_scene::FramedScene;
 use thiserror::Error;
 
 /// Why a tile cannot show a scene.
@@ -296,14 +296,13 @@ impl Shading {
 /// Towards the brightest source, and how bright it is; without any, the light is that of the viewer.
 fn brightest(scene: &FramedScene) -> ([f64; 3], f64) {
     let intensity = |colour: &[f64; 3]| colour.iter().copied().fold(0.0, f64::max);
-    let source = |light: &FramedLight| match light {
-        FramedLight::Directional { towards, colour } => (*towards, intensity(colour)),
-        FramedLight::Point { position, colour } => {
-            let far = length(*position).max(1.0);
-            (position.map(|part| part / far), intensity(colour))
-        }
-    };
-    let sources = scene.lights.iter().map(source);
+    let sources = scene.lights.iter().map(|light| {
+        let far = match light.is_at_a_point {
+            true => length(light.at).max(1.0),
+            false => 1.0,
+        };
+        (light.at.map(|part| part / far), intensity(&light.colour))
+    });
     let brighter = |a: &([f64; 3], f64), b: &([f64; 3], f64)| a.1.total_cmp(&b.1);
     sources.max_by(brighter).unwrap_or(([0.0, 0.0, -1.0], 1.0))
 }

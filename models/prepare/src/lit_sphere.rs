@@ -2,11 +2,11 @@
 
 use crate::scene::PreparedScene;
 use crate::shader::{ShaderError, shader_words};
-use imogene_algebra::vector::{Vector, dot, length};
+use imogene_algebra::vector::{Vector, dot, unit};
 use imogene_contract::shading::{MOST_TABLES, TABLE_BITS};
 use imogene_golden::format::Format;
 use imogene_golden::machine::shader::{ShaderWords, SphereTables};
-use imogene_scene::{FramedLight, FramedScene, Material};
+use imogene_scene::{FramedScene, Material};
 use std::fmt;
 
 /// Towards the viewer, who is infinitely far.
@@ -117,10 +117,7 @@ pub fn far_colour(
     let mut sum: Vector = std::array::from_fn(ambient);
     let lights = scene.lights.iter().enumerate();
     for (_, light) in lights.filter(|(number, _)| reaches(*number)) {
-        let (towards, intensity) = match light {
-            FramedLight::Directional { towards, colour } => (unit(*towards), colour),
-            FramedLight::Point { position, colour } => (unit(*position), colour),
-        };
+        let towards = light.towards([0.0; 3]);
         let lambert = dot(normal, towards);
         if lambert <= 0.0 {
             continue;
@@ -131,16 +128,8 @@ pub fn far_colour(
             .powi(material.exponent as i32);
         for k in 0..3 {
             let diffused = material.diffuse * material.colour[k] * lambert;
-            sum[k] += intensity[k] * (diffused + material.specular * highlight);
+            sum[k] += light.colour[k] * (diffused + material.specular * highlight);
         }
     }
     sum
-}
-
-/// The vector at length one; one without length has no direction, and stays.
-fn unit(vector: Vector) -> Vector {
-    match length(vector) {
-        0.0 => vector,
-        length => vector.map(|part| part / length),
-    }
 }

@@ -52,14 +52,13 @@ pub fn shader_words(scene: &FramedScene, format: &Format) -> Result<ShaderWords,
     let stretch = full / format.z_max() as f64;
     // A machine may have some last lights that are directional alone.
     let mut lights: Vec<(usize, &FramedLight)> = scene.lights.iter().enumerate().collect();
-    lights.sort_by_key(|(_, light)| !light.is_at_a_point());
+    lights.sort_by_key(|(_, light)| !light.is_at_a_point);
     let light = |(source, light): (usize, &FramedLight)| LightWords {
         source: source as u8,
-        ..match light {
-            FramedLight::Directional { towards, colour } => directional(*towards, *colour),
-            FramedLight::Point { position, colour } => {
-                point(*position, *colour, &scene.projection, stretch)
-            }
+        colour: light.colour.map(light_level),
+        ..match light.is_at_a_point {
+            true => point(light.at, &scene.projection, stretch),
+            false => directional(light.at),
         }
     };
     let materials = scene.materials.iter().map(|m| material(m, scene.ambient));
@@ -163,23 +162,17 @@ impl View {
     }
 }
 
-fn directional(towards: [f64; 3], colour: [f64; 3]) -> LightWords {
+fn directional(towards: [f64; 3]) -> LightWords {
     let most = greatest(&towards);
     LightWords {
         base: towards.map(|v| (v / most * MOST_WORD).round() as i32),
-        colour: colour.map(light_level),
         ..LightWords::default()
     }
 }
 
 /// `S (1 - t) - (x, y, t D)` in perspective and `S - (x, y, t H)` along parallel lines, `t` the part of the way to the
 /// far end.
-fn point(
-    position: [f64; 3],
-    colour: [f64; 3],
-    projection: &Projection,
-    stretch: f64,
-) -> LightWords {
+fn point(position: [f64; 3], projection: &Projection, stretch: f64) -> LightWords {
     let [x, y, z] = position;
     let slope = match projection {
         Projection::Perspective { distance } => [x, y, z + to_f64(distance)],
@@ -200,8 +193,7 @@ fn point(
         shift: shift.unwrap_or(0),
         base: position.map(word),
         slope: slope.map(word),
-        colour: colour.map(light_level),
-        source: 0,
+        ..LightWords::default()
     }
 }
 

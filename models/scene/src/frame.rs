@@ -13,7 +13,7 @@ use super::camera::{Camera, Lens, Sight};
 use super::error::SceneError;
 use super::file::{Material, SceneFile};
 use super::framed::FramedObject;
-use super::light::{Beam, Light};
+use super::light::Light;
 use super::limits::check_image_size;
 use super::mesh::FramedMesh;
 use super::object::Object;
@@ -22,10 +22,10 @@ use super::quadric::{FramedQuadric, Plane, Quadric, implicit};
 use super::range::{DepthRange, Projection};
 use super::shape::{Processor, Shape};
 use super::solid::{FramedSolid, Solid, Tree};
-use super::source::FramedSource;
+use super::source::{FramedSource, homogeneous};
 use super::transform::{Transform, WholeTransform};
 use imogene_algebra::rational::{from_decimal, integer, to_f64};
-use imogene_algebra::vector::normalised;
+use imogene_algebra::vector::{Vector, minus, normalised, unit};
 use num_traits::Zero;
 use rayon::prelude::*;
 
@@ -65,27 +65,32 @@ pub struct FramedScene {
 
 /// A light source in the camera frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum FramedLight {
-    /// Parallel light.
-    Directional {
-        /// Unit vector towards the source.
-        towards: [f64; 3],
-        /// Colour times intensity.
-        colour: [f64; 3],
-    },
-    /// Light from one point.
-    Point {
-        /// Position in pixels.
-        position: [f64; 3],
-        /// Colour times intensity.
-        colour: [f64; 3],
-    },
+pub struct FramedLight {
+    /// Where it stands, in pixels; of parallel light the unit vector towards it.
+    pub at: Vector,
+    /// It is no parallel light.
+    pub is_at_a_point: bool,
+    /// Colour times intensity.
+    pub colour: [f64; 3],
 }
 
 impl FramedLight {
-    /// It is no parallel light.
-    pub fn is_at_a_point(&self) -> bool {
-        matches!(self, FramedLight::Point { .. })
+    fn new(light: &Light, camera: &Transform) -> FramedLight {
+        let [x, y, z, w] = homogeneous(light, camera);
+        let at = [x, y, z].map(|value| to_f64(&value));
+        FramedLight {
+            at: if w.is_zero() { normalised(at) } else { at },
+            is_at_a_point: !w.is_zero(),
+            colour: light.colour.map(|value| value * light.intensity),
+        }
+    }
+
+    /// The unit vector towards it from a point.
+    pub fn towards(&self, point: Vector) -> Vector {
+        match self.is_at_a_point {
+            true => unit(minus(self.at, point)),
+            false => unit(self.at),
+        }
     }
 }
 
@@ -129,7 +134,10 @@ impl SceneFile {
             objects: self.framed_objects(&camera, kept)?,
             solids: self.solids.iter().map(solid).collect(),
             materials: self.materials.clone(),
-            lights: lights.clone().map(|l| framed_light(l, &upright)).collect(),
+            lights: lights
+                .clone()
+                .map(|l| FramedLight::new(l, &upright))
+                .collect(),
             sources: lights.map(|l| FramedSource::new(l, &camera)).collect(),
             ambient: self.ambient,
             attenuation,
@@ -325,26 +333,4 @@ fn check_one_depth(facet: &FramedQuadric) -> Result<(), SceneError> {
         ));
     }
     Ok(())
-}
-
-fn framed_light(light: &Light, camera: &Transform) -> FramedLight {
-    let to_camera = camera.after(&Transform::placement(&light.node.place));
-    let colour = light.colour.map(|value| value * light.intensity);
-    match &light.beam {
-        Beam::Directional { from } => {
-            let from = to_camera.vector(&from.map(from_decimal));
-            FramedLight::Directional {
-                towards: normalised(from.map(|value| to_f64(&value))),
-                colour,
-            }
-        }
-        // Within its cone a spot is a point; the cone is a volume.
-        Beam::Point { position } | Beam::Spot { position, .. } => {
-            let position = to_camera.point(&position.map(from_decimal));
-            FramedLight::Point {
-                position: position.map(|value| to_f64(&value)),
-                colour,
-            }
-        }
-    }
 }

@@ -31,20 +31,25 @@ pub struct SpotCone {
 
 impl FramedSource {
     pub(super) fn new(light: &Light, camera: &Transform) -> FramedSource {
-        let to_camera = camera.after(&Transform::placement(&light.node.place));
-        let (at, w) = match &light.beam {
-            Beam::Directional { from } => (to_camera.vector(&from.map(from_decimal)), 0),
-            Beam::Point { position } | Beam::Spot { position, .. } => {
-                (to_camera.point(&position.map(from_decimal)), 1)
-            }
-        };
-        let [x, y, z] = at;
         FramedSource {
-            point: [x, y, z, integer(w)],
+            point: homogeneous(light, camera),
             shadows: light.shadows,
             cone: spot_cone(light, camera),
         }
     }
+}
+
+/// The homogeneous point of a source in the frame of a camera.
+pub(super) fn homogeneous(light: &Light, camera: &Transform) -> [BigRational; 4] {
+    let to_camera = camera.after(&Transform::placement(&light.node.place));
+    let ([x, y, z], w) = match &light.beam {
+        Beam::Directional { from } => (to_camera.vector(&from.map(from_decimal)), 0),
+        // Within its cone a spot is a point; the cone is a volume.
+        Beam::Point { position } | Beam::Spot { position, .. } => {
+            (to_camera.point(&position.map(from_decimal)), 1)
+        }
+    };
+    [x, y, z, integer(w)]
 }
 
 fn spot_cone(light: &Light, camera: &Transform) -> Option<SpotCone> {

@@ -3,8 +3,7 @@
 //! Normal, line of sight and vector to the light are integers of at most 48 bits together, so the signs that decide are
 //! exact.
 
-use imogene_algebra::vector::{Vector, dot};
-use imogene_analysis::phong::unit;
+use imogene_algebra::vector::{Vector, dot, unit};
 use imogene_golden::machine::shader::{LightWords, MaterialWords, Pixel, ShaderWords};
 
 /// Levels of red, green, blue before they are clamped and rounded. The pixel shows an object.

@@ -108,14 +108,14 @@ fn orthographic_screen_plane_passes_through_the_target() {
 #[test]
 fn lights_follow_the_camera() {
     let scene = framed("kind = \"sphere\"\nradius = 1");
-    let position = [100.0, -200.0, -300.0];
-    let point = FramedLight::Point {
-        position,
+    let point = FramedLight {
+        at: [100.0, -200.0, -300.0],
+        is_at_a_point: true,
         colour: [0.5; 3],
     };
-    let towards = [0.0, -0.6, -0.8];
-    let directional = FramedLight::Directional {
-        towards,
+    let directional = FramedLight {
+        at: [0.0, -0.6, -0.8],
+        is_at_a_point: false,
         colour: [1.0; 3],
     };
     assert_eq!(scene.lights, [point, directional]);
