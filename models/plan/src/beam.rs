@@ -2,7 +2,7 @@
 
 use super::description::MachineDescription;
 use super::products::in_slots;
-use super::zone::plan::{self, PlanError};
+use super::zone::plan::{self, Part, PlanError};
 use imogene_contract::object::{Kind, ProductSlots};
 use imogene_contract::shading::MOST_MATERIALS;
 use imogene_contract::slots::FittedSlot;
@@ -18,7 +18,7 @@ use imogene_golden::object::slot::{ProcessorWords, Slot};
 use imogene_golden::object::unused::empty_slot;
 use imogene_golden::object::volume::{VolumePlane, VolumeWords};
 use imogene_golden::object::words::Words;
-use imogene_golden::slots::{own_kind, required, required_of_quadric, takes};
+use imogene_golden::slots::{own_kind, required, takes};
 use imogene_golden::unit::lattice::Lattice;
 use imogene_prepare::PreparedScene;
 use imogene_prepare::lit_sphere::sphere_words;
@@ -94,10 +94,7 @@ pub(super) fn zone_slots(
     let name = |slot: &Slot| prepared.objects[slot.object].name().to_owned();
     let alone = prepared.slots_alone().into_iter().map(|slot| {
         let given = |given: &&FittedSlot| given.kind != Kind::Quadric && takes(given, &slot.words);
-        let needed = |given| {
-            let (needed, _) = beam_slot(prepared, slot.clone(), given)?;
-            Ok::<_, DisplayError>(needed)
-        };
+        let needed = |given| beam_slot(prepared, &slot, given).map(|part| part.needed);
         let (own, other) = (needed(slots.iter().find(given))?, needed(None)?);
         let is_there = |needed: &FittedSlot| slots.iter().any(|slot| slot.holds(needed));
         Ok::<_, DisplayError>(match is_there(&other) && !is_there(&own) {
@@ -125,8 +122,8 @@ fn refused(object: String, why: AsQuadricError) -> DisplayError {
     }
 }
 
-/// A part of a scene in a beam machine: the number of its slot, what that has to have, and its words.
-type Placed = (usize, FittedSlot, Slot);
+/// A part of a scene in a beam machine, with the number of its slot.
+type Placed = (usize, Part);
 
 /// The parts of the solids in the slots of products that are large enough for them, numbered among those.
 pub(super) fn members(prepared: &PreparedScene, products: &[ProductSlots]) -> Vec<Placed> {
@@ -135,16 +132,10 @@ pub(super) fn members(prepared: &PreparedScene, products: &[ProductSlots]) -> Ve
     for (own, product) in prepared.solids.products.iter().zip(products) {
         let [intersected, subtracted] = own.size();
         let own = slots.by_ref().take(intersected + subtracted);
-        let own: Vec<Slot> = own.cloned().collect();
+        let own = own.map(|slot| Part::of(prepared, slot, slot.words.clone()));
+        let own: Vec<Part> = own.collect();
         let own = in_slots(product, own.split_at(intersected).into());
-        members.extend(own.into_iter().map(|(place, slot)| {
-            let needed = required(&slot.words).expect("a quadric processor draws it");
-            (
-                first + place,
-                prepared.in_needed(needed, slot.object, &slot.words),
-                slot,
-            )
-        }));
+        members.extend(own.into_iter().map(|(place, part)| (first + place, part)));
         first += product.count();
     }
     members
@@ -156,47 +147,30 @@ pub(super) fn beam_slots(
     prepared: &PreparedScene,
     parts: &[Slot],
     slots: &[FittedSlot],
-) -> Result<Vec<(FittedSlot, Slot)>> {
-    let parts = parts.iter().cloned().enumerate();
+) -> Result<Vec<Part>> {
+    let parts = parts.iter().enumerate();
     let parts = parts.map(|(place, slot)| beam_slot(prepared, slot, slots.get(place)));
     parts.collect()
 }
 
-fn beam_slot(
-    prepared: &PreparedScene,
-    slot: Slot,
-    given: Option<&FittedSlot>,
-) -> Result<(FittedSlot, Slot)> {
-    let given = given.filter(|given| given.kind != Kind::Quadric);
-    if given.is_some_and(|given| takes(given, &slot.words)) {
-        return Ok(of_own_kind(prepared, slot));
-    }
+fn beam_slot(prepared: &PreparedScene, slot: &Slot, given: Option<&FittedSlot>) -> Result<Part> {
     let words = &slot.words;
+    let of_own_kind = || Ok(Part::of(prepared, slot, own_kind(words.clone())));
+    if given.is_some_and(|given| given.kind != Kind::Quadric && takes(given, words)) {
+        return of_own_kind();
+    }
     match words.on_quadric_processor(&prepared.format, MAX_PLANES) {
-        Ok(words) => {
-            let needed = required_of_quadric(&words);
-            let words = ProcessorWords::Quadric(words);
-            let slot = Slot { words, ..slot };
-            Ok((prepared.in_needed(needed, slot.object, &slot.words), slot))
-        }
+        Ok(words) => Ok(Part::of(prepared, slot, ProcessorWords::Quadric(words))),
         Err(AsQuadricError::Processor(_) | AsQuadricError::GuardBits { .. })
             if required(words).is_some() =>
         {
-            Ok(of_own_kind(prepared, slot))
+            of_own_kind()
         }
         Err(why) => {
             let name = prepared.objects[slot.object].name().to_owned();
             Err(refused(name, why))
         }
     }
-}
-
-/// A part and its slot, that of a surface of a quadric for patches.
-fn of_own_kind(prepared: &PreparedScene, slot: Slot) -> (FittedSlot, Slot) {
-    let words = own_kind(slot.words);
-    let own = required(&words).expect("words of a processor that has slots");
-    let slot = Slot { words, ..slot };
-    (prepared.in_needed(own, slot.object, &slot.words), slot)
 }
 
 /// Words of every volume of the scene, for processors of so many planes.
@@ -211,19 +185,17 @@ pub(super) fn placed(
     prepared: &PreparedScene,
     machine: &MachineDescription,
 ) -> Result<Vec<Placed>> {
-    let in_order = |first: usize, parts: Vec<(FittedSlot, Slot)>| {
-        let parts = parts.into_iter().enumerate();
-        parts.map(move |(place, (needed, part))| (first + place, needed, part))
-    };
     let (slots, first) = (machine.slots(), machine.slots_alone());
     let behind = slots.len() - machine.layers;
     let alone = beam_slots(prepared, &prepared.slots_alone(), &slots)?;
-    let parts = in_order(0, alone);
     let members = members(prepared, &machine.products.0).into_iter();
-    let members = members.map(|(place, needed, slot)| (first + place, needed, slot));
+    let members = members.map(|(place, part)| (first + place, part));
     let layers = beam_slots(prepared, &prepared.layers, &slots[behind..])?;
-    let layers = in_order(behind, layers);
-    Ok(parts.chain(members).chain(layers).collect())
+    Ok((0..)
+        .zip(alone)
+        .chain(members)
+        .chain((behind..).zip(layers))
+        .collect())
 }
 
 /// The words of a frame of a beam machine that has these pixels of the picture. Of several graphics modules those come
@@ -286,12 +258,12 @@ fn module_words(
         .map(|(address, word)| Beat::new(kind::SHADING, 0, address, word.into()))
         .collect();
     let mut is_empty = vec![true; slots.len()];
-    for (place, needed, part) in placed(prepared, machine)? {
+    for (place, part) in placed(prepared, machine)? {
         let weight = u64::from(part.weight.unwrap_or(0)) << MOST_MATERIALS.ilog2();
         let material = weight | u64::from(materials[part.object]);
         beats.push(Beat::new(kind::MATERIAL, 0, place as u16, material));
         let words = part.words.on(pixels);
-        let words = load_slot(&words, format, slots.get(place).unwrap_or(&needed));
+        let words = load_slot(&words, format, slots.get(place).unwrap_or(&part.needed));
         beats.extend(words.iter().map(load(kind::OBJECT, place)));
         if let Some(is_empty) = is_empty.get_mut(place) {
             *is_empty = false;

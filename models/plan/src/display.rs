@@ -97,7 +97,11 @@ pub fn images(
         }
         MachineKind::Beam => {
             let parts = beam_slots(prepared, &prepared.slots_alone(), &machine.slots())?;
-            let alone = parts.into_iter().map(|(_, slot)| slot);
+            let alone = parts.into_iter().map(|part| Slot {
+                object: part.object,
+                words: part.words,
+                weight: part.weight,
+            });
             let layers = prepared.layers.iter().cloned();
             let members = prepared.solids.slots.iter().cloned();
             let slots: Vec<Slot> = alone.chain(members).chain(layers).collect();

@@ -91,7 +91,7 @@ pub fn narrowed(machine: &MachineDescription, scenes: &[Scene]) -> Result<Machin
     if machine.machine == MachineKind::Beam {
         for (_, prepared) in scenes {
             let parts = placed(prepared, &wide)?.into_iter();
-            needs.extend(parts.map(|(place, needed, _)| (place, needed)));
+            needs.extend(parts.map(|(place, part)| (place, part.needed)));
         }
     }
     let mut most: Vec<Option<FittedSlot>> = vec![None; slots.len()];
@@ -326,8 +326,8 @@ fn of_slots(
     parts: &[Slot],
     slots: &[FittedSlot],
 ) -> Result<Vec<FittedSlot>> {
-    let parts = beam_slots(prepared, parts, slots)?.into_iter();
-    Ok(parts.map(|(slot, _)| slot).collect())
+    let parts = beam_slots(prepared, parts, slots)?;
+    Ok(parts.iter().map(|part| part.needed).collect())
 }
 
 fn add_each(slots: &mut Vec<FittedSlot>, needed: &[FittedSlot]) {
@@ -356,8 +356,8 @@ fn enlarge(
             *size = needed.max(*size);
         }
     }
-    for (place, needed, _) in members(prepared, products) {
-        slots[place] = slots[place].or(&needed);
+    for (place, part) in members(prepared, products) {
+        slots[place] = slots[place].or(&part.needed);
     }
 }
 

@@ -2,6 +2,7 @@
 
 use imogene_analysis::metrics::ZoneScene;
 use imogene_golden::format::Format;
+use imogene_plan::culling::zones::window_of;
 use imogene_plan::split::{Division, Piece};
 use imogene_prepare::error::PrepareError;
 use imogene_prepare::rounding::Anchor;
@@ -25,8 +26,7 @@ pub fn zones(
         let mut options = Options::ROOTS;
         options.anchor = Some(anchor);
         Ok(ZoneScene {
-            first: (piece.x0 as usize, piece.y0 as usize),
-            size: (piece.width as usize, piece.height as usize),
+            window: window_of(&piece),
             prepared: prepare_with(scene, format, options)?,
         })
     };

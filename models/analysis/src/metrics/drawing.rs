@@ -5,6 +5,7 @@ use imogene_golden::format::Format;
 use imogene_golden::machine::beam;
 use imogene_golden::machine::frame::Frame;
 use imogene_golden::machine::lighting::Lighting;
+use imogene_golden::object::quadric::ScreenBox;
 use imogene_golden::object::slot::Slot;
 use imogene_golden::object::words::Words;
 use imogene_prepare::PreparedScene;
@@ -28,10 +29,8 @@ pub struct Drawing {
 
 /// A rectangle of the screen with the scene as it was prepared for it.
 pub struct ZoneScene {
-    /// First column and line.
-    pub first: (usize, usize),
-    /// Columns and lines.
-    pub size: (usize, usize),
+    /// Its pixels.
+    pub window: ScreenBox,
     /// Words for the whole screen.
     pub prepared: PreparedScene,
 }
@@ -60,19 +59,16 @@ impl Drawing {
         let (width, height) = (scene.width as usize, scene.height as usize);
         let mut frame = Frame::background(width, height, whole.format.z_max());
         let mut backs = frame.depth.clone();
-        for ZoneScene {
-            first: (x0, y0),
-            size: (columns, lines),
-            prepared,
-        } in zones
-        {
+        for ZoneScene { window, prepared } in zones {
+            let (ScreenBox { x0, y0, .. }, [columns, lines]) = (*window, window.size());
             let mut slots = prepared.slots();
             for Slot { words, .. } in &mut slots {
-                *words = words.for_zone(*x0 as i64, *y0 as i64, *columns as i64, *lines as i64);
+                *words = words.for_zone(x0, y0, columns, lines);
             }
+            let [x0, y0, columns, lines] = [x0, y0, columns, lines].map(|n| n as usize);
             let (part, part_backs) =
-                beam::render_with_backs(&slots, &prepared.format, *columns, *lines, || ());
-            for line in 0..*lines {
+                beam::render_with_backs(&slots, &prepared.format, columns, lines, || ());
+            for line in 0..lines {
                 let (from, to) = (line * columns, (y0 + line) * width + x0);
                 let (from, to) = (from..from + columns, to..to + columns);
                 copy(&mut frame, to.clone(), &part, from.clone());

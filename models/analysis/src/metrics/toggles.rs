@@ -6,7 +6,7 @@
 //! and so is combinational logic.
 
 use imogene_golden::format::{Format, word_max};
-use imogene_golden::object::quadric::QuadricWords;
+use imogene_golden::object::quadric::{QuadricWords, ScreenBox};
 use imogene_golden::object::words::Words;
 use imogene_golden::unit::pe1::{Linear, Pe1};
 use imogene_golden::unit::pe2::{Pe2, Quadratic};
@@ -44,10 +44,8 @@ pub fn sample(height: u32) -> Vec<u32> {
 pub struct Part {
     /// Words for the whole screen.
     pub slots: Vec<QuadricWords>,
-    /// First column and line.
-    pub first: (usize, usize),
-    /// Columns and lines.
-    pub size: (usize, usize),
+    /// Its pixels.
+    pub window: ScreenBox,
 }
 
 /// Counts the slots of a machine on the sample of lines of a screen of so many lines, which its parts cover.
@@ -57,13 +55,13 @@ pub fn count(parts: &[Part], format: &Format, rows_per_stage: u32, height: u32) 
     // A line of n pixels has n - 1 changes.
     let mut changes = 0;
     for part in parts {
-        let ((x, y), (width, height)) = (part.first, part.size);
-        let is_within = |line: &&u32| (y..y + height).contains(&(**line as usize));
-        for line in lines.iter().filter(is_within) {
-            changes += width - 1;
+        let ScreenBox { x0, x1, y0, y1 } = part.window;
+        let within = lines.iter().map(|line| i64::from(*line));
+        for line in within.filter(|line| (y0..=y1).contains(line)) {
+            changes += x1 - x0;
             for words in &part.slots {
-                let zone = words.for_zone(x as i64, i64::from(*line), width as i64, 1);
-                let line = count_line(&zone, format, rows_per_stage, width as u32);
+                let zone = words.for_zone(x0, line, x1 - x0 + 1, 1);
+                let line = count_line(&zone, format, rows_per_stage, (x1 - x0 + 1) as u32);
                 sums = std::array::from_fn(|k| sums[k] + line[k]);
             }
         }

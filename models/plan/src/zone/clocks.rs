@@ -92,14 +92,13 @@ pub fn clocks(plan: &ZonePlan, timing: &ZoneTiming) -> FrameClocks {
 impl FrameClocks {
     /// Counts a pass; the clocks that it takes.
     fn add_pass(&mut self, pass: &Pass, zone: &Zone, timing: &ZoneTiming) -> u64 {
-        let pixels = u64::from(zone.width) * u64::from(zone.height);
         let (drain, sum, passes) = match pass {
             Pass::Draw { .. } => (timing.draw_drain, &mut self.draw, &mut self.draw_passes),
             Pass::Light { .. } => (timing.light_drain, &mut self.light, &mut self.light_passes),
             // One for each zone, which are counted already.
             Pass::Show { .. } => (timing.show_drain, &mut self.show, &mut 0),
         };
-        let clocks = pixels + u64::from(drain);
+        let clocks = zone.window.pixels() + u64::from(drain);
         *sum += clocks;
         *passes += 1;
         clocks

@@ -5,6 +5,7 @@ use super::error::Result;
 pub use super::share::Part;
 use super::share::{layers, parts, shared_out};
 use crate::culling::Planes;
+use crate::culling::zones::window_of;
 pub use crate::products::{ZoneProduct, in_passes};
 use crate::split::Division;
 use imogene_golden::format::Format;
@@ -21,14 +22,8 @@ use std::ops::Range;
 /// A rectangle of the screen, and what can be seen in it at one sample of its pixels.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Zone {
-    /// First column.
-    pub x0: u32,
-    /// First line.
-    pub y0: u32,
-    /// Columns.
-    pub width: u32,
-    /// Lines.
-    pub height: u32,
+    /// Its pixels on the screen.
+    pub window: ScreenBox,
     /// The sample; a zone is there once for each.
     pub sample: Sample,
     /// Indices of the parts that are in no solid and whose box touches the zone, ascending.
@@ -64,13 +59,8 @@ impl Zone {
 
     /// The same of words that are those of its sample.
     pub(super) fn in_zone<W: Words + Clone>(&self, words: &W) -> W {
-        let [x0, y0, width, height] = [self.x0, self.y0, self.width, self.height].map(i64::from);
+        let (ScreenBox { x0, y0, .. }, [width, height]) = (self.window, self.window.size());
         words.for_zone(x0, y0, width, height)
-    }
-
-    pub(super) fn window(&self) -> ScreenBox {
-        let [x0, y0, width, height] = [self.x0, self.y0, self.width, self.height].map(i64::from);
-        ScreenBox::of([x0, x0 + width - 1], [y0, y0 + height - 1])
     }
 }
 
@@ -337,10 +327,7 @@ fn zones(width: u32, height: u32, machine: &ZoneMachine) -> Vec<Zone> {
     let pieces = division.pieces(width / machine.samples, height / machine.samples);
     let zones = pieces.into_iter().flat_map(|piece| {
         Sample::all(machine.samples).map(move |sample| Zone {
-            x0: piece.x0,
-            y0: piece.y0,
-            width: piece.width,
-            height: piece.height,
+            window: window_of(&piece),
             sample,
             ..Zone::default()
         })

@@ -41,12 +41,8 @@ impl ZonePlan {
         let plans: Vec<ZonePlan> = samples.iter().map(|&s| self.at_sample(s)).collect();
         let one = |zone: Zone| {
             let place = zone.sample.line * zone.sample.of + zone.sample.column;
-            let refiner = ZoneRefiner {
-                plan: &plans[place as usize],
-                window: zone.window(),
-                zone,
-            };
-            refiner.refine(refinement)
+            let plan = &plans[place as usize];
+            ZoneRefiner { plan, zone }.refine(refinement)
         };
         self.zones = zones.into_par_iter().map(one).collect();
         self
@@ -68,8 +64,6 @@ impl ZonePlan {
 struct ZoneRefiner<'a> {
     plan: &'a ZonePlan,
     zone: Zone,
-    /// Its pixels on the screen.
-    window: ScreenBox,
 }
 
 impl<'a> ZoneRefiner<'a> {
@@ -113,7 +107,7 @@ impl<'a> ZoneRefiner<'a> {
     fn refine_parts(&mut self, refinement: Refinement) {
         let mut left = vec![];
         for index in std::mem::take(&mut self.zone.parts) {
-            let Some(planes) = self.planes_on(&self.window, index, refinement) else {
+            let Some(planes) = self.planes_on(&self.zone.window, index, refinement) else {
                 continue;
             };
             left.push(index);
@@ -148,7 +142,7 @@ impl<'a> ZoneRefiner<'a> {
         for mut product in std::mem::take(&mut self.zone.products) {
             let boxes = product.intersected.iter();
             let boxes = boxes.map(|&index| *self.words(index).screen_box());
-            let window = boxes.fold(self.window, |all, one| all.shared(&one));
+            let window = boxes.fold(self.zone.window, |all, one| all.shared(&one));
             let is_there = |&index: &u32| self.planes_on(&window, index, refinement).is_some();
             if !product.intersected.iter().all(is_there) {
                 continue;
@@ -181,7 +175,7 @@ impl<'a> ZoneRefiner<'a> {
     fn bound_volumes(&mut self, quadrics: &[&QuadricWords]) {
         let seen = self.zone.parts.iter().zip(quadrics).map(|(&index, words)| {
             let planes = self.zone.planes_of_part(index) & self.part(index).all_planes();
-            Seen::new(words, planes, words.screen_box.shared(&self.window))
+            Seen::new(words, planes, words.screen_box.shared(&self.zone.window))
         });
         let seen: Vec<Seen> = seen.collect();
         let matter = |index: u32| matter_of_volume(self.volume(index), &seen, &self.plan.format);
@@ -262,15 +256,15 @@ impl<'a> ZoneRefiner<'a> {
     /// Visible depths of the zone, line by line.
     fn depths(&self) -> Vec<i64> {
         let (zone, format) = (&self.zone, &self.plan.format);
-        let (width, height) = (zone.width as usize, zone.height as usize);
-        let mut depths = vec![format.z_max(); width * height];
+        let [width, height] = zone.window.size();
+        let mut depths = vec![format.z_max(); (width * height) as usize];
         let mut show = |x: i64, y: i64, pixel: ObjectPixel| {
-            let depth = &mut depths[y as usize * width + x as usize];
+            let depth = &mut depths[(y * width + x) as usize];
             *depth = pixel.zf.min(*depth);
         };
         for &index in &zone.parts {
             let words = zone.in_zone(self.words(index));
-            for y in 0..height as i64 {
+            for y in 0..height {
                 words.for_each_present(format, y, |x, pixel| show(x, y, pixel));
             }
         }
@@ -278,7 +272,7 @@ impl<'a> ZoneRefiner<'a> {
             let objects = product.parts();
             let objects = objects.map(|index| zone.in_zone(self.member(index)));
             let (objects, intersected) = (objects.collect::<Vec<_>>(), product.intersected.len());
-            for y in 0..height as i64 {
+            for y in 0..height {
                 for_each_seen(&objects, intersected, format, y, |x, _, pixel| {
                     show(x, y, pixel);
                 });
@@ -292,7 +286,7 @@ impl<'a> ZoneRefiner<'a> {
         let zone = &self.zone;
         let words = volume_with_planes(self.volume(index), zone.planes_of_volume(index));
         let words = zone.in_zone(&words);
-        let width = zone.width as usize;
+        let [width, _] = zone.window.size().map(|side| side as usize);
         let mut inside = vec![false; depths.len()];
         let lines = inside.chunks_mut(width).zip(depths.chunks(width));
         for (y, (inside, line)) in lines.enumerate() {

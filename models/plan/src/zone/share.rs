@@ -15,7 +15,7 @@ use imogene_prepare::PreparedScene;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Part {
     /// Index of its object in the scene, the id of its pixels; the parts of a mesh have the same.
-    pub object: u16,
+    pub object: usize,
     /// Words for the whole screen, those of the kind of its slots.
     pub words: ProcessorWords,
     /// What its slot has to have.
@@ -25,10 +25,10 @@ pub struct Part {
 }
 
 impl Part {
-    fn of(scene: &PreparedScene, slot: &Slot, words: ProcessorWords) -> Part {
+    pub(crate) fn of(scene: &PreparedScene, slot: &Slot, words: ProcessorWords) -> Part {
         let needed = required(&words).expect("a kind that has slots");
         Part {
-            object: slot.object as u16,
+            object: slot.object,
             needed: scene.in_needed(needed, slot.object, &words),
             words,
             weight: slot.weight,

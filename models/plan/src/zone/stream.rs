@@ -37,9 +37,10 @@ impl ZonePlan {
         for (index, pass) in self.passes(zone, last).enumerate() {
             beats.extend(self.words_of(&pass, zone));
             if index == 0 {
-                let pair = |a: u32, b: u32| u64::from(a) | u64::from(b) << 12;
-                beats.push(Beat::command(command::ORIGIN, pair(zone.x0, zone.y0)));
-                beats.push(Beat::command(command::SIZE, pair(zone.width, zone.height)));
+                let pair = |[a, b]: [i64; 2]| a as u64 | (b as u64) << 12;
+                let first = [zone.window.x0, zone.window.y0];
+                beats.push(Beat::command(command::ORIGIN, pair(first)));
+                beats.push(Beat::command(command::SIZE, pair(zone.window.size())));
             }
             beats.push(command_of(&pass, zone));
         }
@@ -59,7 +60,7 @@ impl ZonePlan {
                     let slot = (unit, &self.machine.slots[unit]);
                     let own = self.words_of_part((part, zone.planes_of_part(index)), slot, zone);
                     beats.extend(own);
-                    beats.push(id(unit, part.object.into()));
+                    beats.push(id(unit, part.object as u64));
                 }
             }
             Pass::Light { volumes, .. } => {
@@ -111,11 +112,10 @@ impl ZonePlan {
 
     /// The word that says how a transparent object looks: its id, above it its material and its part of what is seen.
     fn look(&self, part: &Part) -> u64 {
-        let object = part.object;
-        let material = self.materials.get(usize::from(object));
+        let material = self.materials.get(part.object);
         let material = u64::from(material.copied().unwrap_or(0));
         let weight = u64::from(part.weight.unwrap_or(0)) << MOST_MATERIALS.ilog2();
-        u64::from(object) | (material | weight) << ID_BITS
+        part.object as u64 | (material | weight) << ID_BITS
     }
 }
 

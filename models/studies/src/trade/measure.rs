@@ -8,6 +8,7 @@ use imogene_analysis::metrics::toggles::{Part, Toggles, count};
 use imogene_analysis::metrics::{Metrics, measure as compare};
 use imogene_contract::MachineWords;
 use imogene_golden::format::Format;
+use imogene_golden::object::quadric::ScreenBox;
 use imogene_golden::object::words::Words;
 use imogene_golden::unit::lattice::Lattice;
 use imogene_plan::description::{MachineDescription, MachineKind, Output};
@@ -127,8 +128,7 @@ impl Measured<'_> {
                 let slots = self.prepared.quadrics();
                 Part {
                     slots: slots.map(|(_, object)| object.words.on(&pixels)).collect(),
-                    first: (0, 0),
-                    size: ((self.prepared.width / step) as usize, height as usize),
+                    window: ScreenBox::of_screen(self.prepared.width / step, height),
                 }
             };
             let lanes: Vec<Part> = (0..step).map(lane).collect();
@@ -141,8 +141,7 @@ impl Measured<'_> {
             let words = parts.filter_map(|part| plan.parts[part as usize].quadric());
             Part {
                 slots: words.map(|words| words.on(&zone.sample.pixels())).collect(),
-                first: (zone.x0 as usize, zone.y0 as usize),
-                size: (zone.width as usize, zone.height as usize),
+                window: zone.window,
             }
         });
         let zones: Vec<Part> = zones.collect();

@@ -65,8 +65,7 @@ fn words_that_never_change_toggle_nothing() {
     let counted = |slots: Vec<QuadricWords>, width, height| {
         let whole = Part {
             slots,
-            first: (0, 0),
-            size: (width, height),
+            window: ScreenBox::of_screen(width as u32, height as u32),
         };
         count(&[whole], &Format::BASE, 1, height as u32)
     };
