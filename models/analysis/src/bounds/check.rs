@@ -81,8 +81,8 @@ pub fn check(scene: &FramedScene, prepared: &PreparedScene) -> CheckReport {
     let report = |(id, visible_pixels): (usize, usize)| {
         let (framed, object) = (&scene.objects[id], &prepared.objects[id]);
         let reviewed = match (framed.quadric(), object.quadric()) {
-            (Some(framed), Some(quadric)) => review(framed, quadric, prepared, &jury),
-            _ => review_parts(framed, object, jury.judge(id), prepared, &jury),
+            (Some(framed), Some(quadric)) => review(framed, quadric, &jury),
+            _ => review_parts(framed, object, jury.judge(id), &jury),
         };
         let (screen_box, pixels) = (*object.screen_box(), reviewed.found.pixels);
         ObjectReport {

@@ -17,6 +17,7 @@ use imogene_prepare::forms::{LinearForm, QuadraticForm};
 use imogene_prepare::rounding::round_quadratic;
 use imogene_prepare::{PreparedQuadric, PreparedScene};
 use num_bigint::{BigInt, Sign};
+use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive};
 use rayon::prelude::*;
 use serde::Serialize;
@@ -267,11 +268,7 @@ fn magnitude(value: &BigInt, denominator: &BigInt, unit: f64) -> f64 {
     if float.is_finite() && unit.is_finite() {
         return float / unit;
     }
-    // Leading bits only.
-    let (n, d) = (value.bits() as i64, denominator.bits() as i64);
-    let lead = |v: &BigInt, bits: i64| (v.abs() >> (bits - 60).max(0)).to_f64().expect("60 bits");
-    let power = (n - 60).max(0) - (d - 60).max(0);
-    lead(value, n) / lead(denominator, d) * f64::exp2(power as f64)
+    to_f64(&BigRational::new_raw(value.abs(), denominator.clone()))
 }
 
 /// Depth errors in depth words: the greatest, the sum of their squares, and how many.

@@ -1,7 +1,7 @@
 //! What is proven of every object of a scene at every pixel, whatever processor draws it.
 
 use super::depth::Range;
-use super::outline::Silhouette;
+use super::outline::{Presence, Silhouette};
 use super::truth::{Columns, True, Truth};
 use super::verdict::{Contest, Verdict, decide};
 use imogene_golden::format::Format;
@@ -15,7 +15,7 @@ use std::collections::BTreeSet;
 
 /// What is proven of the objects of a scene: which pixels of its picture rounding leaves open.
 pub struct Jury<'a> {
-    prepared: &'a PreparedScene,
+    pub(super) prepared: &'a PreparedScene,
     judges: Vec<Judge<'a>>,
     transparent: BTreeSet<usize>,
 }
@@ -99,8 +99,13 @@ impl<'a> Jury<'a> {
         !self.contests(y, x..=x)[0].is_decided()
     }
 
-    /// The pixels at which an outline is adrift and not hidden behind something else.
-    pub(super) fn adrift(&self, silhouette: &Silhouette) -> Vec<(i64, i64)> {
+    /// The pixels of a box at which the outline of an object is adrift and not hidden behind something else.
+    pub(super) fn adrift(&self, window: ScreenBox, presence: Vec<Presence>) -> Vec<(i64, i64)> {
+        let silhouette = Silhouette {
+            window,
+            presence,
+            size: (self.prepared.width, self.prepared.height),
+        };
         let mut adrift = silhouette.adrift();
         adrift.retain(|&(x, y)| self.is_undecided(x, y));
         adrift

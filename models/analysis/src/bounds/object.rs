@@ -6,7 +6,7 @@ use super::depth::{depth_bound, worst_case, worst_terms};
 use super::jury::{Judge, Jury};
 use super::kind::quadric_kind;
 use super::normal::normal_bound;
-use super::outline::{Presence, Silhouette};
+use super::outline::Presence;
 use super::report::{
     Detail, Findings, ObjectBounds, PartsBounds, PartsReport, QuadricReport, Reviewed,
     adrift_problem, unshown_problem,
@@ -18,31 +18,22 @@ use imogene_golden::object::line::for_each_present;
 use imogene_golden::object::quadric::{ObjectPixel, QuadricWords, ScreenBox};
 use imogene_golden::unit::cut_plane::PlaneKind;
 use imogene_golden::unit::depth_interval::{Class, FACE_NEAR_END};
-use imogene_prepare::{PreparedObject, PreparedQuadric, PreparedScene};
+use imogene_prepare::{PreparedObject, PreparedQuadric};
 use imogene_scene::{FramedObject, FramedQuadric};
 use rayon::prelude::*;
 
-pub(super) fn review(
-    framed: &FramedQuadric,
-    object: &PreparedQuadric,
-    prepared: &PreparedScene,
-    jury: &Jury,
-) -> Reviewed {
+pub(super) fn review(framed: &FramedQuadric, object: &PreparedQuadric, jury: &Jury) -> Reviewed {
+    let prepared = jury.prepared;
     let format = &prepared.format;
     let window = object.words.screen_box;
     let line = |y| pass_line(object, format, y);
     let found = lines(&window).map(line);
     let mut found = found.reduce(Findings::default, Findings::merged);
     let silhouette = displacement(object, format);
-    let size = (prepared.width, prepared.height);
     let adrift = match silhouette.pixels {
         // No outline can be a pixel away, whatever its pixels show.
         pixels if pixels < 1.0 => vec![],
-        _ => jury.adrift(&Silhouette {
-            window,
-            presence: std::mem::take(&mut found.presence),
-            size,
-        }),
+        _ => jury.adrift(window, std::mem::take(&mut found.presence)),
     };
     found.undecided.adrift = adrift.len();
     let angles = Spread::of(found.angles.iter().copied().map(f64::from).collect());
@@ -83,7 +74,7 @@ pub(super) fn review(
         ),
         perpendicular_planes: perpendicular.map(|(index, _)| index).collect(),
         needed: object.needed.clone(),
-        accumulators: accumulators(object, size, format),
+        accumulators: accumulators(object, (prepared.width, prepared.height), format),
         bounds,
         planes_without_effect: idle,
         angles: std::mem::take(&mut found.angles),
@@ -187,7 +178,6 @@ pub(super) fn review_parts(
     framed: &FramedObject,
     object: &PreparedObject,
     judge: &Judge,
-    prepared: &PreparedScene,
     jury: &Jury,
 ) -> Reviewed {
     let window = judge.window();
@@ -207,11 +197,7 @@ pub(super) fn review_parts(
     };
     let found = lines(&window).map(line);
     let mut found = found.reduce(Findings::default, Findings::merged);
-    let adrift = jury.adrift(&Silhouette {
-        window,
-        presence: std::mem::take(&mut found.presence),
-        size: (prepared.width, prepared.height),
-    });
+    let adrift = jury.adrift(window, std::mem::take(&mut found.presence));
     found.undecided.adrift = adrift.len();
     let mut problems = object.notes().to_vec();
     problems.extend(unshown_problem(object.screen_box(), found.pixels));

@@ -8,7 +8,7 @@
 use super::accumulators::plane_bits;
 use super::contour::{displacement, steep_everywhere};
 use super::jury::Jury;
-use super::outline::{Presence, Silhouette};
+use super::outline::Presence;
 use super::report::adrift_problem;
 use super::verdict::decide;
 use imogene_golden::format::Format;
@@ -40,8 +40,8 @@ pub fn failing(scene: &FramedScene, prepared: &PreparedScene) -> Vec<Failing> {
     let found = prepared.objects.par_iter().filter_map(|object| {
         let object = object.quadric()?;
         let reason = wraps(object, &prepared.format).or_else(|| {
-            let silhouette = open_part(object, prepared)?;
-            let adrift = jury().adrift(&silhouette);
+            let (window, presence) = open_part(object, prepared)?;
+            let adrift = jury().adrift(window, presence);
             let is_far = || displacement(object, &prepared.format).pixels >= 1.0;
             adrift_problem(&adrift).filter(|_| is_far())
         });
@@ -61,9 +61,12 @@ fn wraps(object: &PreparedQuadric, format: &Format) -> Option<String> {
     (!fits).then(|| "a word does not fit and wraps".to_owned())
 }
 
-/// The part of an object around its open pixels.
+/// The box around the open pixels of an object, and what it is at each pixel of that.
 /// `None` if too few pixels are open for a square of four.
-fn open_part(object: &PreparedQuadric, prepared: &PreparedScene) -> Option<Silhouette> {
+fn open_part(
+    object: &PreparedQuadric,
+    prepared: &PreparedScene,
+) -> Option<(ScreenBox, Vec<Presence>)> {
     let format = &prepared.format;
     let window = object.words.screen_box;
     if window.is_empty() || steep_everywhere(object, format) {
@@ -87,11 +90,7 @@ fn open_part(object: &PreparedQuadric, prepared: &PreparedScene) -> Option<Silho
     let ScreenBox { x0, x1, y0, y1 } = around;
     let window = ScreenBox::of([x0 - 1, x1 + 1], [y0 - 1, y1 + 1]);
     let window = window.in_zone(0, 0, prepared.width.into(), prepared.height.into());
-    Some(Silhouette {
-        window,
-        presence: window.each().map(|(x, y)| at(x, y)).collect(),
-        size: (prepared.width, prepared.height),
-    })
+    Some((window, window.each().map(|(x, y)| at(x, y)).collect()))
 }
 
 /// Intervals of columns, first and last, that hold all pixels of line `y` with f2 within its error of zero.
