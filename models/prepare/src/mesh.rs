@@ -19,19 +19,11 @@ use num_traits::{Signed, ToPrimitive};
 /// Pixels from the first one, to any side, within which a corner must lie.
 const REACH: i64 = 1 << 22;
 
-/// Where a vertex is on the screen: in sixteenths of a pixel, and in depth words.
-struct Seen {
-    x: i64,
-    y: i64,
-    z: BigRational,
-}
-
 pub(super) fn prepare_mesh(
     mesh: &FramedMesh,
     context: &Context,
 ) -> Result<PreparedParts, PrepareError> {
-    let places: Vec<Result<Seen, &'static str>> =
-        mesh.vertices.iter().map(|v| place(v, context)).collect();
+    let places: Vec<Placed> = mesh.vertices.iter().map(|v| place(v, context)).collect();
     let mut parts = PreparedParts {
         notes: vec![],
         ..PreparedParts::unseen(&mesh.name, "")
@@ -61,8 +53,10 @@ pub(super) fn prepare_mesh(
     Ok(parts)
 }
 
-/// Where a vertex is, or why it cannot be a corner.
-fn place(vertex: &[BigRational; 3], context: &Context) -> Result<Seen, &'static str> {
+/// A vertex on the screen, its normal left open, or why it cannot be a corner.
+type Placed = Result<Corner, &'static str>;
+
+fn place(vertex: &[BigRational; 3], context: &Context) -> Placed {
     let [x, y, z] = vertex;
     // (D + z) / D; 1 in an orthographic view.
     let divisor = integer(1) + z * &context.inverse_distance;
@@ -85,24 +79,23 @@ fn place(vertex: &[BigRational; 3], context: &Context) -> Result<Seen, &'static 
     if z.abs() >= power_of_two(context.format.sum - 1) {
         return Err("is too far outside the depth range");
     }
-    Ok(Seen {
+    Ok(Corner {
         x: along(x, x0)?,
         y: along(y, y0)?,
         z,
+        normal: [0; 3],
     })
 }
 
 fn corners(
     mesh: &FramedMesh,
     facet: &FramedFacet,
-    places: &[Result<Seen, &'static str>],
+    places: &[Placed],
 ) -> Result<Vec<Corner>, PrepareError> {
     let corner = |&vertex: &usize| match &places[vertex] {
-        Ok(seen) => Ok(Corner {
-            x: seen.x,
-            y: seen.y,
-            z: seen.z.clone(),
+        Ok(place) => Ok(Corner {
             normal: mesh.normals.as_ref().map_or(facet.normal, |n| n[vertex]),
+            ..place.clone()
         }),
         Err(problem) => Err(PrepareError::Corner {
             object: mesh.name.clone(),

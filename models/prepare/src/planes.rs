@@ -27,6 +27,10 @@ pub(super) struct PlacedPlane {
     across: Few<(u32, Anchor), Result<PreparedPlane, (i64, i64)>>,
 }
 
+/// The box that a plane is proven on, and the one around all objects that have it, for which it is rounded and scaled;
+/// both are those of the place.
+type At<'a> = (&'a ScreenBox, &'a ScreenBox);
+
 /// The depth of a plane.
 #[derive(Clone)]
 struct InDepth {
@@ -84,12 +88,10 @@ impl PlacedPlane {
         across.unwrap_or_else(|| self.depth(context))
     }
 
-    /// Prepares the plane, which has to decide between two depths (pixels), which are asked for only if it is steep. It
-    /// is proven on a window, and rounded and scaled for the box around all objects that have it; both are those of the
-    /// place.
+    /// Prepares the plane, which has to decide between two depths (pixels), which are asked for only if it is steep.
     pub fn words(
         &self,
-        (window, shared): (&ScreenBox, &ScreenBox),
+        (window, shared): At,
         depths: impl FnOnce() -> (f64, f64),
         context: &Context,
     ) -> Result<PreparedPlane, Steep> {
@@ -121,12 +123,10 @@ impl PlacedPlane {
                 None => value,
                 Some(_) => perpendicular_if_proven(&value, gamma, depths(), window, context)?,
             };
-            Ok(perpendicular(
-                form,
-                (window, shared),
-                context,
-                steep.is_some(),
-            ))
+            Ok(PreparedPlane {
+                steep: steep.is_some(),
+                ..perpendicular(form, (window, shared), context)
+            })
         });
         across.map_err(|(x, y)| Steep {
             needed: steep.map_or(0, |in_depth| in_depth.needed),
@@ -176,12 +176,7 @@ fn bits_needed(exact: &LinearForm, word: Option<&Linear>, window: &ScreenBox) ->
 }
 
 /// The half-plane form. Its scale is free, so the exact integers are used whenever they fit the plane word.
-fn perpendicular(
-    value: LinearForm,
-    (window, shared): (&ScreenBox, &ScreenBox),
-    context: &Context,
-    steep: bool,
-) -> PreparedPlane {
+fn perpendicular(value: LinearForm, (window, shared): At, context: &Context) -> PreparedPlane {
     let limit = BigRational::from_integer(BigInt::from(word_max(context.format.plane)));
     let whole = value.primitive();
     let exact = if whole.max_abs_on(shared) <= limit {
@@ -205,7 +200,7 @@ fn perpendicular(
         needed: bits_needed(&exact, Some(&depth), window),
         bound: to_f64_up(&linear_error(&depth, &exact, 0, window)),
         across: Some(Arc::new(exact)),
-        steep,
+        steep: false,
     }
 }
 
