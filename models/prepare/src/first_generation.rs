@@ -7,7 +7,7 @@ use super::forms::{LinearForm, QuadraticForm};
 use super::ledger::Ledger;
 use super::object::prepare_quadric;
 use super::prepared::{PreparedParts, PreparedQuadric};
-use super::projected::Projected;
+use super::projected::{Projected, Subject};
 use super::seams::Place;
 use imogene_algebra::rational::integer;
 use imogene_golden::object::first_generation::{ContourPlane, FirstGenerationWords};
@@ -22,7 +22,12 @@ pub(super) fn prepare_first_generation(
 ) -> Result<PreparedParts, PrepareError> {
     let projected = Projected::new(object, context);
     let place = Place::alone(projected.window, object.planes.len());
-    let prepared = prepare_quadric(object, &projected, &place, context)?;
+    let prepared = prepare_quadric(Subject {
+        object,
+        projected: &projected,
+        place: &place,
+        context,
+    })?;
     let name = &object.name;
     let refuse = |problem| Err(PrepareError::FirstGeneration(name.clone(), problem));
     match prepared.words.class {

@@ -6,12 +6,12 @@ use super::error::PrepareError;
 use super::known::Known;
 use super::object;
 use super::prepared::{PreparedObject, PreparedParts, PreparedQuadric};
-use super::projected::Projected;
+use super::projected::{Projected, Subject};
 use super::seams::{self, Place, cut};
 use super::volume::Found;
 use super::{first_generation, mesh, paraboloids, polyhedron, quotient};
 use imogene_golden::object::quadric::ScreenBox;
-use imogene_scene::{FramedObject, FramedQuadric, FramedScene};
+use imogene_scene::{FramedObject, FramedScene};
 use rayon::prelude::*;
 
 /// A scene's objects on the screen, before any word of them is known.
@@ -65,14 +65,16 @@ impl Located {
                 &again
             }
         };
+        let subject = Subject {
+            object: quadric,
+            projected,
+            place,
+            context,
+        };
         match object {
-            FramedObject::Polyhedron(_) => {
-                polyhedron::prepare(quadric, projected, place, context).map(parts)
-            }
-            FramedObject::Patch(_) => {
-                prepare_cut(quadric, projected, place, context, PreparedObject::Patch)
-            }
-            _ => prepare_cut(quadric, projected, place, context, PreparedObject::Quadric),
+            FramedObject::Polyhedron(_) => polyhedron::prepare(subject).map(parts),
+            FramedObject::Patch(_) => prepare_cut(subject, PreparedObject::Patch),
+            _ => prepare_cut(subject, PreparedObject::Quadric),
         }
     }
 }
@@ -102,20 +104,15 @@ fn prepare_parts(object: &FramedObject, context: &Context) -> Result<PreparedPar
 
 /// A cut quadric by the processor that its scene names, or by the quotient processor if the eye lies on it.
 fn prepare_cut(
-    object: &FramedQuadric,
-    projected: &Projected,
-    place: &Place,
-    context: &Context,
+    subject: Subject,
     by_its_own: fn(Box<PreparedQuadric>) -> PreparedObject,
 ) -> Result<PreparedObject, PrepareError> {
-    let as_quotient = || quotient::prepare(object, projected, place, context).map(parts);
-    if quotient::is_on_eye(projected, context) {
+    let as_quotient = || quotient::prepare(subject).map(parts);
+    if quotient::is_on_eye(subject) {
         return as_quotient();
     }
-    match object::prepare_quadric(object, projected, place, context) {
-        Err(PrepareError::TooLarge(..)) if quotient::is_near_eye(object, projected, context) => {
-            as_quotient()
-        }
+    match object::prepare_quadric(subject) {
+        Err(PrepareError::TooLarge(..)) if quotient::is_near_eye(subject) => as_quotient(),
         prepared => prepared.map(|prepared| by_its_own(Box::new(prepared))),
     }
 }

@@ -5,27 +5,26 @@ use super::context::Context;
 use super::depth::{Asked, Exact};
 use super::error::{PrepareError, too_large};
 use super::forms::{LinearForm, QuadraticForm, greater, inverse, sum, times};
-use super::perspective::ScreenQuadric;
 use super::prepared::{ExactForms, NeededWidths, PreparedQuadric, RoundingBounds};
-use super::projected::Projected;
+use super::projected::{Projected, Subject};
 use super::range::remedy;
 use super::rounding::{Anchor, linear_error, round_linear};
-use super::seams::Place;
 use imogene_algebra::rational::{integer, power_of_two, round_half_up, to_f64_up};
 use imogene_golden::object::quadric::{QuadricWords, ScreenBox};
 use imogene_golden::unit::depth_interval::Class;
 use imogene_golden::unit::normal::NormalWords;
-use imogene_scene::{FramedQuadric, Surface};
+use imogene_scene::Surface;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
-pub(super) fn prepare_quadric(
-    object: &FramedQuadric,
-    projected: &Projected,
-    place: &Place,
-    context: &Context,
-) -> Result<PreparedQuadric, PrepareError> {
+pub(super) fn prepare_quadric(subject: Subject) -> Result<PreparedQuadric, PrepareError> {
+    let Subject {
+        object,
+        projected,
+        place,
+        context,
+    } = subject;
     let Projected {
         quadric,
         region,
@@ -33,12 +32,12 @@ pub(super) fn prepare_quadric(
         depth,
         ..
     } = projected;
-    let class = classify(object, quadric, context)?;
+    let class = classify(subject)?;
     let edge_on = class == Class::Prism && object.surface == Surface::Patch;
     if window.is_empty() || edge_on {
         let note = match edge_on {
             true => "a patch seen exactly edge-on: nothing to draw",
-            false => projected.unseen_note(object, context),
+            false => subject.unseen_note(),
         };
         return Ok(absent(&object.name, class, note));
     }
@@ -80,7 +79,7 @@ pub(super) fn prepare_quadric(
         (prepared.words.normal, prepared.bounds.normal) =
             normal_words(projected, &words.root_max, context);
     }
-    for (index, plane) in projected.prepare_planes(object, place, context).enumerate() {
+    for (index, plane) in subject.planes().enumerate() {
         let plane = plane?;
         // A half-plane of the screen has a scale of its own, but in a short word its rounding can still carry it out.
         if plane.needed > context.format.plane {
@@ -99,17 +98,14 @@ pub(super) fn prepare_quadric(
     Ok(prepared)
 }
 
-fn classify(
-    object: &FramedQuadric,
-    quadric: &ScreenQuadric,
-    context: &Context,
-) -> Result<Class, PrepareError> {
+fn classify(subject: Subject) -> Result<Class, PrepareError> {
+    let (object, quadric) = (subject.object, &subject.projected.quadric);
     let name = || object.name.clone();
     let eye = quadric.eye_value();
     if eye.is_zero() {
         return if quadric.is_free_of_depth() {
             Ok(Class::Prism)
-        } else if context.perspective {
+        } else if subject.context.perspective {
             Err(PrepareError::ViewerOnSurface(name()))
         } else {
             Err(PrepareError::AsymptoticView(name()))

@@ -1,28 +1,20 @@
 //! The words of a polyhedron, which is planes alone.
 
-use super::context::Context;
 use super::error::PrepareError;
 use super::ledger::Ledger;
 use super::prepared::PreparedParts;
-use super::projected::Projected;
-use super::seams::Place;
+use super::projected::Subject;
 use imogene_golden::object::polyhedron::PolyhedronWords;
 use imogene_golden::object::quadric::PlaneWords;
 use imogene_golden::object::slot::ProcessorWords;
 use imogene_golden::unit::cut_plane::PlaneKind;
-use imogene_scene::FramedQuadric;
 
-pub(super) fn prepare(
-    object: &FramedQuadric,
-    projected: &Projected,
-    place: &Place,
-    context: &Context,
-) -> Result<PreparedParts, PrepareError> {
+pub(super) fn prepare(subject: Subject) -> Result<PreparedParts, PrepareError> {
+    let (object, context) = (subject.object, subject.context);
     context.refuse_fitted(&object.name)?;
-    let window = &projected.window;
+    let window = &subject.projected.window;
     if window.is_empty() {
-        let note = projected.unseen_note(object, context);
-        return Ok(PreparedParts::unseen(&object.name, note));
+        return Ok(PreparedParts::unseen(&object.name, subject.unseen_note()));
     }
     let mut words = PolyhedronWords {
         screen_box: *window,
@@ -30,7 +22,7 @@ pub(super) fn prepare(
     };
     let mut ledger = Ledger::new(&object.name, *window, context);
     let (mut notes, mut bound) = (vec![], 0f64);
-    for (index, plane) in projected.prepare_planes(object, place, context).enumerate() {
+    for (index, plane) in subject.planes().enumerate() {
         let plane = plane?;
         notes.extend(plane.note(index));
         if plane.words.kind != PlaneKind::Perpendicular {

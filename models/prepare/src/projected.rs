@@ -62,27 +62,35 @@ impl Projected {
             range.unwrap_or((-full, full))
         })
     }
+}
 
+/// A cut quadric that is prepared: what it is, where it is on the screen, and for what.
+#[derive(Clone, Copy)]
+pub(super) struct Subject<'a> {
+    pub object: &'a FramedQuadric,
+    pub projected: &'a Projected,
+    pub place: &'a Place,
+    pub context: &'a Context,
+}
+
+impl<'a> Subject<'a> {
     /// Why nothing of the object is on the screen.
-    pub fn unseen_note(&self, object: &FramedQuadric, context: &Context) -> &'static str {
-        self.unseen.get_or_init(|| unseen_note(object, context))
+    pub fn unseen_note(&self) -> &'static str {
+        let unseen = &self.projected.unseen;
+        unseen.get_or_init(|| unseen_note(self.object, self.context))
     }
 
     /// Every plane of the object, in the order of the file.
-    pub fn prepare_planes<'a>(
-        &'a self,
-        object: &'a FramedQuadric,
-        place: &'a Place,
-        context: &'a Context,
-    ) -> impl Iterator<Item = Result<PreparedPlane, PrepareError>> + 'a {
-        let depths = || self.depths(context);
-        let planes = object.planes.iter().zip(&self.planes).zip(&place.planes);
-        let planes = planes.enumerate();
+    pub fn planes(self) -> impl Iterator<Item = Result<PreparedPlane, PrepareError>> + use<'a> {
+        let (object, projected) = (self.object, self.projected);
+        let planes = object.planes.iter().zip(&projected.planes);
+        let planes = planes.zip(&self.place.planes).enumerate();
         planes.map(move |(index, ((original, placed), shared))| {
-            let plane = placed.words((&self.window, shared), depths, context);
+            let depths = || projected.depths(self.context);
+            let plane = placed.words((&projected.window, shared), depths, self.context);
             let refusal = |steep| PrepareError::SteepPlane(object.name.clone(), index, steep);
             let mut plane = plane.map_err(refusal)?;
-            plane.words.normal = constant_normal(original, context.format.greatest_normal());
+            plane.words.normal = constant_normal(original, self.context.format.greatest_normal());
             Ok(plane)
         })
     }

@@ -11,9 +11,8 @@ use super::forms::{LinearForm, QuadraticForm};
 use super::ledger::Ledger;
 use super::object::normals;
 use super::prepared::PreparedParts;
-use super::projected::Projected;
+use super::projected::{Projected, Subject};
 use super::rounding::{linear_error, quadratic_error, round_linear, round_quadratic};
-use super::seams::Place;
 use imogene_algebra::rational::{
     floor, from_f64_exact, integer, power_of_two, round_half_up, to_f64_up,
 };
@@ -24,7 +23,7 @@ use imogene_golden::object::slot::ProcessorWords;
 use imogene_golden::unit::cut_plane::PlaneKind;
 use imogene_golden::unit::depth_interval::{FACE_FAR, FACE_NEAR};
 use imogene_golden::unit::normal::NormalWords;
-use imogene_scene::{FramedQuadric, Surface};
+use imogene_scene::Surface;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive, Zero};
@@ -35,39 +34,31 @@ fn is_possible(context: &Context, processors: &[Quotients]) -> bool {
 }
 
 /// Is the depth of an object exactly a quotient that a processor draws?
-pub(super) fn is_on_eye(projected: &Projected, context: &Context) -> bool {
-    let quadric = &projected.quadric;
+pub(super) fn is_on_eye(subject: Subject) -> bool {
+    let quadric = &subject.projected.quadric;
     let is_quotient = quadric.eye_value().is_zero() && !quadric.is_free_of_depth();
-    is_quotient && is_possible(context, &[Quotients::All, Quotients::OfOneDepth])
+    is_quotient && is_possible(subject.context, &[Quotients::All, Quotients::OfOneDepth])
 }
 
 /// Would a processor draw an object one of whose depths leaves the words of roots: one that the eye nearly lies on?
-pub(super) fn is_near_eye(
-    object: &FramedQuadric,
-    projected: &Projected,
-    context: &Context,
-) -> bool {
-    let is_quadric = !object.quadric.is_everywhere() && !projected.quadric.eye_value().is_zero();
-    is_quadric && is_possible(context, &[Quotients::All]) && !projected.window.is_empty()
+pub(super) fn is_near_eye(subject: Subject) -> bool {
+    let projected = subject.projected;
+    let has_eye_value = !projected.quadric.eye_value().is_zero();
+    let is_quadric = !subject.object.quadric.is_everywhere() && has_eye_value;
+    is_quadric && is_possible(subject.context, &[Quotients::All]) && !projected.window.is_empty()
 }
 
 /// The words of an object whose depth is a quotient, or nearly so.
-pub(super) fn prepare(
-    object: &FramedQuadric,
-    projected: &Projected,
-    place: &Place,
-    context: &Context,
-) -> Result<PreparedParts, PrepareError> {
-    let window = &projected.window;
+pub(super) fn prepare(subject: Subject) -> Result<PreparedParts, PrepareError> {
+    let (object, context) = (subject.object, subject.context);
+    let window = &subject.projected.window;
     if window.is_empty() {
-        let note = projected.unseen_note(object, context);
-        return Ok(PreparedParts::unseen(&object.name, note));
+        return Ok(PreparedParts::unseen(&object.name, subject.unseen_note()));
     }
     let mut ledger = Ledger::new(&object.name, *window, context);
-    let solid = object.surface == Surface::Solid;
-    let (mut words, off) = depth_words(projected, solid, &place.quadric, &mut ledger, context)?;
+    let (mut words, off) = depth_words(subject, &mut ledger)?;
     let (mut notes, mut of_cuts) = (vec![], 0f64);
-    for (index, plane) in projected.prepare_planes(object, place, context).enumerate() {
+    for (index, plane) in subject.planes().enumerate() {
         let plane = plane?;
         let magnitude = power_of_two(plane.needed - 1) - integer(1);
         ledger.prove(&format!("cut {index}"), &magnitude, context.format.plane)?;
@@ -95,15 +86,12 @@ struct Off {
 
 /// The words of an object without its planes, scaled for the box of all that share its quadric.
 fn depth_words(
-    projected: &Projected,
-    solid: bool,
-    shared: &ScreenBox,
+    subject: Subject,
     ledger: &mut Ledger,
-    context: &Context,
 ) -> Result<(QuotientWords, Off), PrepareError> {
-    let Projected {
-        quadric, window, ..
-    } = projected;
+    let (projected, context) = (subject.projected, subject.context);
+    let (quadric, window) = (&projected.quadric, &projected.window);
+    let shared = &subject.place.quadric;
     let leading = quadric.eye_value() * integer(2);
     let widths = widths(&context.format, !leading.is_zero());
     let t = context.to_pixels_quadratic(&quadric.depth_free_part());
@@ -151,7 +139,7 @@ fn depth_words(
     let (normal, normal_from) = normal(projected, context);
     let words = QuotientWords {
         screen_box: *window,
-        solid,
+        solid: subject.object.surface == Surface::Solid,
         numerator,
         denominator: denominator.wrapped(widths.denominator),
         root,
@@ -283,9 +271,7 @@ fn note(words: &QuotientWords, bound: f64, of_cuts: f64, unbounded: usize) -> St
 
 /// The normal's words, and the depth from which they count.
 fn normal(projected: &Projected, context: &Context) -> (NormalWords, i64) {
-    let Projected {
-        quadric, window, ..
-    } = projected;
+    let (quadric, window) = (&projected.quadric, &projected.window);
     let (near, far) = projected.depths(context);
     let word = |depth: f64| {
         let word = floor(&(from_f64_exact(depth) * &context.depth_scale)).to_i64();
