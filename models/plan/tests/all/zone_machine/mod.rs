@@ -289,7 +289,7 @@ fn parts_of_one_object_keep_their_order() {
                 assert!(a != b || pair[0].0 < pair[1].0, "{parts:?}");
             }
             for (_, part) in parts {
-                let last = &mut last[plan.parts[part as usize].object as usize];
+                let last = &mut last[plan.parts[part as usize].object];
                 assert!(last.replace(part) < Some(part));
                 drawn += 1;
             }
