@@ -50,16 +50,14 @@ impl Buffer {
         if window.is_empty() {
             return true;
         }
-        let nearest = placed.outline.nearest(window, &placed.errors);
+        let nearest = placed.nearest();
         if self.tiles_around(window).all(|farthest| farthest < nearest) {
             return true;
         }
         (window.y0..=window.y1).all(|y| {
             let line = &self.depth[y as usize * self.width..];
             let is_behind = |x: i64, nearest| line[x as usize] < nearest;
-            placed
-                .outline
-                .may_cover(y, window, &placed.errors, is_behind)
+            placed.may_cover(y, is_behind)
         })
     }
 
@@ -78,8 +76,7 @@ fn cover(placed: &Placed, top: i64, lines: &mut [f64], width: usize) {
     let last = top + (lines.len() / width) as i64 - 1;
     for y in window.y0.max(top)..=window.y1.min(last) {
         let line = &mut lines[(y - top) as usize * width..][..width];
-        let outline = &placed.outline;
-        outline.covered(y, window, &placed.errors, |x, depth| {
+        placed.covered(y, |x, depth| {
             let pixel = &mut line[x as usize];
             *pixel = pixel.min(depth);
         });

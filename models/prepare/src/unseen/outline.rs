@@ -9,14 +9,14 @@ use imogene_golden::object::quadric::ScreenBox;
 /// f1 and f2 of a ball about the pixel place `at`, which need be no pixel.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Outline {
-    at: [f64; 2],
+    pub(super) at: [f64; 2],
     /// Value at `at`, and for one column and one line more.
-    f1: [f64; 3],
+    pub(super) f1: [f64; 3],
     /// How far `f1` may be from that of the true ball within the box.
-    f1_spare: f64,
+    pub(super) f1_spare: f64,
     /// Of the outer and the inner ball.
-    outer: Conic,
-    inner: Conic,
+    pub(super) outer: Conic,
+    pub(super) inner: Conic,
 }
 
 /// Greatest errors of the words of an object whose box reaches so many columns and lines from the pixel about which it
@@ -24,7 +24,7 @@ pub(crate) struct Outline {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct WordErrors {
     f1: f64,
-    f2: f64,
+    pub(super) f2: f64,
 }
 
 impl WordErrors {
@@ -45,7 +45,7 @@ impl WordErrors {
     }
 
     /// Most that a drawn depth differs from the true one: `|sqrt(f2 + e) - sqrt(f2)| <= sqrt(|e|)`.
-    fn depth(&self) -> f64 {
+    pub(super) fn depth(&self) -> f64 {
         self.f1 + self.f2.sqrt()
     }
 }
@@ -225,16 +225,6 @@ impl Outline {
         }
     }
 
-    /// Nothing that is drawn of the ball on the box is nearer.
-    pub fn nearest(&self, window: &ScreenBox, errors: &WordErrors) -> f64 {
-        let along = |axis: usize, ends: [i64; 2]| {
-            let [one, other] = ends.map(|n| self.f1[1 + axis] * (n as f64 - self.at[axis]));
-            one.min(other)
-        };
-        let least = along(0, [window.x0, window.x1]) + along(1, [window.y0, window.y1]);
-        self.f1[0] + least - self.outer.greatest().sqrt() - self.f1_spare - errors.depth()
-    }
-
     /// True if the ball lies between the ends of the depth, and not within two pixels of depth of one.
     pub fn is_within_ends(&self, view: &View, window: &ScreenBox) -> bool {
         let end = view.z_max - 2.0 * view.words_per_pixel();
@@ -255,46 +245,5 @@ impl Outline {
             + self.f1_spare
             + errors.depth();
         low < self.f1[0] - spread && self.f1[0] + spread < high
-    }
-
-    /// Calls `each` with the columns of a line, within the box, at which the ball is surely drawn, and with a depth
-    /// that is not nearer than the one that is drawn there.
-    pub fn covered(
-        &self,
-        y: i64,
-        window: &ScreenBox,
-        errors: &WordErrors,
-        mut each: impl FnMut(i64, f64),
-    ) {
-        let line = self.inner.on_line(y as f64 - self.at[1]);
-        // One more for the rounding of this sum.
-        let (least, spare) = (errors.f2 + 1.0, self.f1_spare + errors.depth() + 1.0);
-        let constant = self.f1[0] + self.f1[2] * (y as f64 - self.at[1]) + spare;
-        for x in line.columns(-least, self.at[0], window) {
-            let u = x as f64 - self.at[0];
-            let f2 = line.at(u);
-            if f2 >= least {
-                each(x, constant + self.f1[1] * u - f2.sqrt());
-            }
-        }
-    }
-
-    /// The same for the columns at which the ball may be drawn, with a depth that is not farther; ends early where
-    /// `each` says so.
-    pub fn may_cover(
-        &self,
-        y: i64,
-        window: &ScreenBox,
-        errors: &WordErrors,
-        mut each: impl FnMut(i64, f64) -> bool,
-    ) -> bool {
-        let line = self.outer.on_line(y as f64 - self.at[1]);
-        let spare = self.f1_spare + errors.depth() + 1.0;
-        let constant = self.f1[0] + self.f1[2] * (y as f64 - self.at[1]) - spare;
-        let mut columns = line.columns(errors.f2 + 1.0, self.at[0], window);
-        columns.all(|x| {
-            let u = x as f64 - self.at[0];
-            each(x, constant + self.f1[1] * u - line.at(u).max(0.0).sqrt())
-        })
     }
 }

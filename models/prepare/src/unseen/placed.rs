@@ -60,4 +60,47 @@ impl Placed {
         magnitudes.fit(format.sum, format.quadratic)
             && self.outline.is_between(ends, &self.window, &self.errors)
     }
+    /// Nothing that is drawn of the ball on its box is nearer.
+    pub fn nearest(&self) -> f64 {
+        let ScreenBox { x0, x1, y0, y1 } = self.window;
+        let Outline { at, f1, outer, .. } = &self.outline;
+        let along = |axis: usize, ends: [i64; 2]| {
+            let [one, other] = ends.map(|n| f1[1 + axis] * (n as f64 - at[axis]));
+            one.min(other)
+        };
+        let least = along(0, [x0, x1]) + along(1, [y0, y1]);
+        f1[0] + least - outer.greatest().sqrt() - self.outline.f1_spare - self.errors.depth()
+    }
+
+    /// Calls `each` with the columns of a line, within the box, at which the ball is surely drawn, and with a depth
+    /// that is not nearer than the one that is drawn there.
+    pub fn covered(&self, y: i64, mut each: impl FnMut(i64, f64)) {
+        let Outline { at, f1, inner, .. } = &self.outline;
+        let v = y as f64 - at[1];
+        let line = inner.on_line(v);
+        // One more for the rounding of this sum.
+        let least = self.errors.f2 + 1.0;
+        let constant = f1[0] + f1[2] * v + (self.outline.f1_spare + self.errors.depth() + 1.0);
+        for x in line.columns(-least, at[0], &self.window) {
+            let u = x as f64 - at[0];
+            let f2 = line.at(u);
+            if f2 >= least {
+                each(x, constant + f1[1] * u - f2.sqrt());
+            }
+        }
+    }
+
+    /// The same for the columns at which the ball may be drawn, with a depth that is not farther; ends early where
+    /// `each` says so.
+    pub fn may_cover(&self, y: i64, mut each: impl FnMut(i64, f64) -> bool) -> bool {
+        let Outline { at, f1, outer, .. } = &self.outline;
+        let v = y as f64 - at[1];
+        let line = outer.on_line(v);
+        let constant = f1[0] + f1[2] * v - (self.outline.f1_spare + self.errors.depth() + 1.0);
+        let mut columns = line.columns(self.errors.f2 + 1.0, at[0], &self.window);
+        columns.all(|x| {
+            let u = x as f64 - at[0];
+            each(x, constant + f1[1] * u - line.at(u).max(0.0).sqrt())
+        })
+    }
 }
