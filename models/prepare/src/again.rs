@@ -11,10 +11,10 @@ use super::error::PrepareError;
 use super::known::{KeptObject, KeptShadow, Known};
 use super::located::Located;
 use super::prepared::PreparedObject;
-use super::run::{prepare_objects, prepared_scene};
+use super::run::{Run, prepared_scene};
 use super::scene::PreparedScene;
 use super::seams::Place;
-use super::volume::{Volumes, prepare_volumes};
+use super::volume::Volumes;
 use imogene_golden::format::Format;
 use imogene_scene::{FramedObject, FramedScene};
 use serde::Serialize;
@@ -117,19 +117,20 @@ pub fn prepare_again(
     let mut known = kept.known(scene, &context);
     let located = Located::new(scene, &context, &known);
     known.forget_moved(&located.places);
-    let mut missing = vec![];
-    let mut objects = prepare_objects(scene, &located, &context, &known, &mut missing, done)?;
+    let mut run = Run {
+        scene,
+        located: &located,
+        known: &known,
+        context: &context,
+        done,
+        missing: vec![],
+    };
+    let mut objects = run.objects()?;
     let fresh = objects.iter().zip(&known.objects);
     let fresh = fresh.map(|(object, known)| known.is_none().then(|| object.clone()));
     let fresh: Vec<Option<PreparedObject>> = fresh.collect();
-    let volumes = prepare_volumes(
-        scene,
-        &mut objects,
-        &context,
-        (&known, &located.found),
-        &mut missing,
-        done,
-    )?;
+    let volumes = run.volumes(&mut objects)?;
+    let missing = run.missing;
     let reuse = Reuse::of(&fresh, &volumes);
     if missing.is_empty() {
         kept.keep(scene, located.places, fresh, &volumes, &context);

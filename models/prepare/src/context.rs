@@ -1,8 +1,7 @@
 //! How a scene is prepared, and what all its objects share.
 
-use super::error::{Missing, PrepareError};
+use super::error::PrepareError;
 use super::forms::{LinearForm, QuadraticForm};
-use super::perspective;
 use super::rounding::Anchor;
 use imogene_algebra::rational::{floor, integer};
 use imogene_golden::format::Format;
@@ -10,7 +9,7 @@ use imogene_golden::object::quadric::ScreenBox;
 use imogene_scene::{DepthRange, FramedScene, Projection};
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::ToPrimitive;
+use num_traits::{ToPrimitive, Zero};
 
 /// How to prepare; the default is what a machine uses.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -57,6 +56,7 @@ pub(super) struct Context {
     pub width: u32,
     pub height: u32,
     pub options: Options,
+    /// 1/D, or zero for an orthographic view: the one number in which the two projections differ.
     pub inverse_distance: BigRational,
     pub full_depth: BigRational,
     pub depth_scale: BigRational,
@@ -67,16 +67,20 @@ pub(super) struct Context {
 
 impl Context {
     pub fn of(scene: &FramedScene, format: Format, options: Options) -> Context {
-        let full_depth = perspective::full_depth(&scene.projection);
+        let full_depth = scene.projection.full().clone();
+        let perspective = matches!(scene.projection, Projection::Perspective { .. });
         Context {
             format,
             width: scene.width,
             height: scene.height,
             options,
-            inverse_distance: perspective::inverse_distance(&scene.projection),
+            inverse_distance: match perspective {
+                true => full_depth.recip(),
+                false => BigRational::zero(),
+            },
             depth_scale: integer(format.z_max()) / &full_depth,
             full_depth,
-            perspective: matches!(scene.projection, Projection::Perspective { .. }),
+            perspective,
             range: scene.range.scaled(0),
         }
     }
@@ -126,19 +130,5 @@ impl Context {
             true => Ok(()),
             false => Err(PrepareError::NotFitted(object.to_owned())),
         }
-    }
-
-    /// Records what is left out, or refuses the scene.
-    pub fn leave_out(
-        &self,
-        missing: &mut Vec<Missing>,
-        is_volume: bool,
-        reason: PrepareError,
-    ) -> Result<(), PrepareError> {
-        if !self.options.without_refused {
-            return Err(reason);
-        }
-        missing.push(Missing { is_volume, reason });
-        Ok(())
     }
 }

@@ -19,19 +19,9 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
 pub(super) fn prepare_quadric(subject: Subject) -> Result<PreparedQuadric, PrepareError> {
-    let Subject {
-        object,
-        projected,
-        place,
-        context,
-    } = subject;
-    let Projected {
-        quadric,
-        region,
-        window,
-        depth,
-        ..
-    } = projected;
+    let (object, projected, context) = (subject.object, subject.projected, subject.context);
+    let (quadric, window) = (&projected.quadric, &projected.window);
+    let shared = &subject.place.quadric;
     let class = classify(subject)?;
     let edge_on = class == Class::Prism && object.surface == Surface::Patch;
     if window.is_empty() || edge_on {
@@ -44,17 +34,20 @@ pub(super) fn prepare_quadric(subject: Subject) -> Result<PreparedQuadric, Prepa
     let asked = Asked {
         quadric,
         class,
-        at: (window, &place.quadric),
+        at: (window, shared),
         shift: 0,
         context,
         exact: Exact::default(),
     };
-    let words = depth.words(&object.name, &asked).map_err(|mut refusal| {
-        if let PrepareError::TooLarge(_, excess) = &mut refusal {
-            excess.remedy = remedy(quadric, region, context);
-        }
-        refusal
-    })?;
+    let words = projected
+        .depth
+        .words(&object.name, &asked)
+        .map_err(|mut refusal| {
+            if let PrepareError::TooLarge(_, excess) = &mut refusal {
+                excess.remedy = remedy(quadric, &projected.region, context);
+            }
+            refusal
+        })?;
     let note = match class {
         Class::Prism => Some("does not depend on the depth (seen end-on)"),
         Class::Front => Some("the viewer is inside the unbounded quadric (front view)"),
@@ -70,7 +63,7 @@ pub(super) fn prepare_quadric(subject: Subject) -> Result<PreparedQuadric, Prepa
             ..QuadricWords::default()
         },
         exact: asked.into_exact(),
-        anchor: context.anchor_of(&place.quadric),
+        anchor: context.anchor_of(shared),
         bounds: words.bounds,
         needed: words.needed,
         notes: note.map(str::to_owned).into_iter().collect(),

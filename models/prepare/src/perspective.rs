@@ -3,26 +3,10 @@
 
 use super::forms::{LinearForm, QuadraticForm, sum, times, unreduced};
 use imogene_algebra::whole::common_denominator;
-use imogene_scene::{FramedQuadric, Plane, Projection, Quadric};
+use imogene_scene::{Plane, Quadric};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::Zero;
-
-/// 1/D, or zero for an orthographic view: the one number in which the two projections differ.
-pub fn inverse_distance(projection: &Projection) -> BigRational {
-    match projection {
-        Projection::Perspective { distance } => distance.recip(),
-        Projection::Orthographic { .. } => BigRational::zero(),
-    }
-}
-
-/// The depth (in pixels) that fills the depth word: the viewer distance, or the stated half depth.
-pub fn full_depth(projection: &Projection) -> BigRational {
-    match projection {
-        Projection::Perspective { distance } => distance.clone(),
-        Projection::Orthographic { half_depth } => half_depth.clone(),
-    }
-}
 
 /// A quadric after perspective, `a x^2 + b y^2 + c z^2 + 2d xy + 2e xz + 2f yz + 2g x + 2h y + 2i z + j` in screen x,
 /// y and depth z_p.
@@ -33,22 +17,23 @@ pub struct ScreenQuadric {
     inverse_distance: BigRational,
 }
 
-/// The quadric and the planes of an object after perspective.
+/// A quadric and its planes after perspective.
 pub(super) fn on_screen(
-    object: &FramedQuadric,
+    quadric: &Quadric,
+    planes: &[Plane],
     inverse_distance: &BigRational,
 ) -> (ScreenQuadric, Vec<Plane>) {
-    let planes = object.planes.iter();
+    let planes = planes
+        .iter()
+        .map(|plane| project_plane(plane, inverse_distance));
     (
-        ScreenQuadric::new(&object.quadric, inverse_distance),
-        planes
-            .map(|plane| project_plane(plane, inverse_distance))
-            .collect(),
+        ScreenQuadric::new(quadric, inverse_distance),
+        planes.collect(),
     )
 }
 
 /// A plane after perspective, kept where `a x + b y + c z + d <= 0`.
-pub fn project_plane(plane: &Plane, inverse_distance: &BigRational) -> Plane {
+fn project_plane(plane: &Plane, inverse_distance: &BigRational) -> Plane {
     Plane {
         c: sum(&plane.c, &times(&-&plane.d, inverse_distance)),
         ..plane.clone()

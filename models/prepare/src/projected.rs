@@ -8,7 +8,7 @@ use super::memo::Few;
 use super::perspective::{ScreenQuadric, on_screen};
 use super::planes::{PlacedPlane, PreparedPlane, constant_normal};
 use super::rounding::Anchor;
-use super::screen_box::{Region, Search, screen_domain};
+use super::screen_box::{Region, Search, screen_between};
 use super::seams::Place;
 use crate::cell::Cell;
 use imogene_algebra::rational::to_f64;
@@ -34,7 +34,8 @@ pub(super) struct Projected {
 
 impl Projected {
     pub fn new(object: &FramedQuadric, context: &Context) -> Projected {
-        let (quadric, planes) = on_screen(object, &context.inverse_distance);
+        let (quadric, planes) =
+            on_screen(&object.quadric, &object.planes, &context.inverse_distance);
         let region = Region::new(&quadric.q, &planes, object.surface);
         // Of an uncut closed quadric from its tangent planes, else by search.
         let depth = to_f64(&context.full_depth);
@@ -57,7 +58,7 @@ impl Projected {
     pub fn depths(&self, context: &Context) -> (f64, f64) {
         *self.depths.get_or_init(|| {
             let full = to_f64(&context.full_depth);
-            let domain = screen_domain(context.width, context.height, full);
+            let domain = screen_between(context.width, context.height, [-full, full]);
             let range = self.region.range_within(domain, 2, Search::FINE);
             range.unwrap_or((-full, full))
         })

@@ -293,7 +293,11 @@ impl<'a> Depths<'a> {
         else {
             return None;
         };
-        let (quadric, planes) = on_screen(framed, &self.context.inverse_distance);
+        let (quadric, planes) = on_screen(
+            &framed.quadric,
+            &framed.planes,
+            &self.context.inverse_distance,
+        );
         if quadric.eye_value().is_zero() {
             return None;
         }
@@ -318,7 +322,7 @@ fn body(object: &FramedObject, context: &Context) -> Body {
         (FramedObject::Mesh(mesh), None) => return between_corners(mesh, context),
         _ => return Body::NOWHERE,
     };
-    let (quadric, planes) = on_screen(&framed, &context.inverse_distance);
+    let (quadric, planes) = on_screen(&framed.quadric, &framed.planes, &context.inverse_distance);
     let eye_is_inside =
         !quadric.eye_value().is_positive() && planes.iter().all(|plane| !plane.c.is_negative());
     if context.perspective && framed.surface == Surface::Solid && eye_is_inside {

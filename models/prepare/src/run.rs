@@ -9,7 +9,7 @@ use super::object;
 use super::prepared::PreparedObject;
 use super::scene::PreparedScene;
 use super::solids::PreparedSolids;
-use super::volume::{self, Volumes, prepare_volumes};
+use super::volume::{self, Volumes};
 use imogene_golden::format::Format;
 use imogene_golden::unit::depth_interval::Class;
 use imogene_scene::{CutOff, End, FramedObject, FramedScene};
@@ -105,51 +105,65 @@ fn prepare_located(
     context: Context,
     done: &(impl Fn() + Sync),
 ) -> Result<PreparedScene, PrepareError> {
-    let known = Known::nothing(scene);
-    let mut missing = vec![];
-    let mut objects = prepare_objects(scene, located, &context, &known, &mut missing, done)?;
-    let volumes = prepare_volumes(
+    let mut run = Run {
         scene,
-        &mut objects,
-        &context,
-        (&known, &located.found),
-        &mut missing,
+        located,
+        known: &Known::nothing(scene),
+        context: &context,
         done,
-    )?;
+        missing: vec![],
+    };
+    let mut objects = run.objects()?;
+    let volumes = run.volumes(&mut objects)?;
+    let missing = run.missing;
     prepared_scene(scene, context, objects, volumes, missing)
 }
 
-pub(super) fn prepare_objects(
-    scene: &FramedScene,
-    located: &Located,
-    context: &Context,
-    known: &Known,
-    missing: &mut Vec<Missing>,
-    done: &(impl Fn() + Sync),
-) -> Result<Vec<PreparedObject>, PrepareError> {
-    // Collected before the first error is taken, so that the same object is named in every run.
-    let objects: Vec<Result<PreparedObject, Box<PrepareError>>> = scene
-        .objects
-        .par_iter()
-        .enumerate()
-        .map(|(index, object)| {
-            let prepared = match known.objects[index] {
+/// The preparation of one scene.
+pub(super) struct Run<'a> {
+    pub scene: &'a FramedScene,
+    pub located: &'a Located,
+    pub known: &'a Known<'a>,
+    pub context: &'a Context,
+    /// Called about once for each of [`steps`], from any thread.
+    pub done: &'a (dyn Fn() + Sync),
+    /// What was left out.
+    pub missing: Vec<Missing>,
+}
+
+impl Run<'_> {
+    pub fn objects(&mut self) -> Result<Vec<PreparedObject>, PrepareError> {
+        // Collected before the first error is taken, so that the same object is named in every run.
+        let scene = self.scene;
+        let objects = scene.objects.par_iter().enumerate();
+        let objects = objects.map(|(index, object)| {
+            let prepared = match self.known.objects[index] {
                 Some(kept) => Ok(kept.prepared.clone()),
-                None => located.prepare(index, object, context).map_err(Box::new),
+                None => self.located.prepare(index, object, self.context),
             };
-            done();
-            prepared
-        })
-        .collect();
-    let mut left_out = |object: &FramedObject, reason: Box<PrepareError>| {
-        context.leave_out(missing, false, *reason)?;
-        let note = "left out: it cannot be drawn";
-        let absent = object::absent(object.name(), Class::default(), note);
-        Ok(PreparedObject::Quadric(Box::new(absent)))
-    };
-    let named = objects.into_iter().zip(&scene.objects);
-    let named = named.map(|(prepared, object)| prepared.or_else(|why| left_out(object, why)));
-    named.collect()
+            (self.done)();
+            prepared.map_err(Box::new)
+        });
+        let objects: Vec<Result<PreparedObject, Box<PrepareError>>> = objects.collect();
+        let mut left_out = |object: &FramedObject, reason: Box<PrepareError>| {
+            self.leave_out(false, *reason)?;
+            let note = "left out: it cannot be drawn";
+            let absent = object::absent(object.name(), Class::default(), note);
+            Ok(PreparedObject::Quadric(Box::new(absent)))
+        };
+        let named = objects.into_iter().zip(&scene.objects);
+        let named = named.map(|(prepared, object)| prepared.or_else(|why| left_out(object, why)));
+        named.collect()
+    }
+
+    /// Records what is left out, or refuses the scene.
+    pub fn leave_out(&mut self, is_volume: bool, reason: PrepareError) -> Result<(), PrepareError> {
+        if !self.context.options.without_refused {
+            return Err(reason);
+        }
+        self.missing.push(Missing { is_volume, reason });
+        Ok(())
+    }
 }
 
 pub(super) fn prepared_scene(

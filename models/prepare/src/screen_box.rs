@@ -193,7 +193,7 @@ impl Region {
     /// The box of the pixels (column, line; the screen's first pixel at `-centre`) at which the region can be met for
     /// a depth within `-depth .. depth`, on a screen of `width` x `height` pixels.
     pub fn screen_box(&self, width: u32, height: u32, depth: f64) -> ScreenBox {
-        let domain = screen_domain(width, height, depth);
+        let domain = screen_between(width, height, [-depth, depth]);
         self.box_within(domain, width, height, Search::FINE)
     }
 
@@ -214,11 +214,6 @@ impl Region {
         let lines = [first(y_low - top), last(-y_high - top, h)];
         ScreenBox::of(columns, lines).or_empty()
     }
-}
-
-/// All pixel centres of the screen, within the depth range.
-pub fn screen_domain(width: u32, height: u32, depth: f64) -> Cell {
-    screen_between(width, height, [-depth, depth])
 }
 
 /// All pixel centres of the screen, between two depths.

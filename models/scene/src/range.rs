@@ -37,12 +37,16 @@ impl Projection {
         }
     }
 
-    /// Pixels of depth that fill the depth word.
+    /// The depth in pixels that fills the depth word: the viewer distance, or the stated half depth.
+    pub fn full(&self) -> &BigRational {
+        let (Projection::Perspective { distance: full }
+        | Projection::Orthographic { half_depth: full }) = self;
+        full
+    }
+
+    /// The same as a number.
     pub fn full_depth(&self) -> f64 {
-        match self {
-            Projection::Perspective { distance } => to_f64(distance),
-            Projection::Orthographic { half_depth } => to_f64(half_depth),
-        }
+        to_f64(self.full())
     }
 
     /// From a point towards the viewer, of any length.

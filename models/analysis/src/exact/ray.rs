@@ -218,8 +218,7 @@ pub(super) fn ordered_roots([a, b, c]: &[BigInt; 3]) -> Option<[SurdReal; 2]> {
 /// Homogeneous points of the ray, `constant + w * slope`, each of the four coordinates `a x + b y + c` in pixel column
 /// and line, with one positive factor that makes all of them whole.
 pub(super) fn ray_points(scene: &FramedScene) -> ([Affine; 4], [Affine; 4]) {
-    let (Projection::Perspective { distance: full }
-    | Projection::Orthographic { half_depth: full }) = &scene.projection;
+    let full = scene.projection.full();
     // Of the half of a pixel and of the depth.
     let unit: BigInt = full.denom() * 2;
     let middle = |n: u32| full.denom() * -i64::from(n);

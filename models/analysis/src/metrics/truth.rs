@@ -8,7 +8,6 @@ use imogene_algebra::rational::{integer, to_f64};
 use imogene_golden::format::Format;
 use imogene_golden::machine::lighting::Lighting;
 use imogene_golden::unit::depth_interval::{FACE_NEAR_END, FACE_PLANE};
-use imogene_prepare::perspective::full_depth;
 use imogene_scene::FramedScene;
 
 /// Of an object that no picture shows; the index of the background is another.
@@ -80,7 +79,7 @@ impl Truth {
             false => Lighting::full(&frame),
         };
         let rgb = shade(&frame, &lighting, scene, &format);
-        let scale = integer(format.z_max()) / full_depth(&scene.projection);
+        let scale = integer(format.z_max()) / scene.projection.full();
         Truth {
             width: scene.width as usize,
             height: scene.height as usize,

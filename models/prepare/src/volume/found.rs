@@ -5,7 +5,7 @@ use crate::cell::Cell;
 use crate::context::Context;
 use crate::depth::Depth;
 use crate::memo::Memo;
-use crate::perspective::{ScreenQuadric, project_plane};
+use crate::perspective::{ScreenQuadric, on_screen};
 use crate::planes::PlacedPlane;
 use crate::prepared::Beginning;
 use crate::screen_box::{Region, Search};
@@ -28,10 +28,7 @@ pub struct VolumePlace {
 
 impl VolumePlace {
     pub fn new(quadric: &Quadric, planes: &[Plane], receivers: &Cell, context: &Context) -> Self {
-        let screen = ScreenQuadric::new(quadric, &context.inverse_distance);
-        let projected = planes.iter();
-        let projected = projected.map(|plane| project_plane(plane, &context.inverse_distance));
-        let projected: Vec<Plane> = projected.collect();
+        let (screen, projected) = on_screen(quadric, planes, &context.inverse_distance);
         let region = Region::new(&screen.q, &projected, Surface::Solid);
         let (width, height) = (context.width, context.height);
         let (middle, reach) = (receivers.centre[2], receivers.half[2]);
@@ -69,13 +66,9 @@ impl Found {
     ) -> ShadowPlaces {
         let bits = [receivers.centre, receivers.half].map(|at| at.map(f64::to_bits));
         self.shadows.get((source, object, bits), || {
-            let place = |ShadowPart {
-                             quadric,
-                             planes,
-                             beginning,
-                         }: &ShadowPart| {
-                let place = VolumePlace::new(quadric, planes, receivers, context);
-                (*beginning, place)
+            let place = |part: &ShadowPart| {
+                let place = VolumePlace::new(&part.quadric, &part.planes, receivers, context);
+                (part.beginning, place)
             };
             let point = &scene.sources[source].point;
             let parts = match &scene.objects[object] {

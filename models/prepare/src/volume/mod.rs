@@ -11,13 +11,14 @@ pub(super) use found::Found;
 pub use shadow::{ShadowPart, SourceInside, shadow_parts};
 
 use super::context::Context;
-use super::error::{Missing, PrepareError};
+use super::error::PrepareError;
 use super::extent::Extent;
-use super::known::{Bounds, Known};
+use super::known::Bounds;
 use super::perspective::{ScreenQuadric, on_screen};
 use super::prepared::PreparedObject;
 pub use super::prepared::{Beginning, PreparedVolume};
-use super::screen_box::{Region, Search, screen_domain};
+use super::run::Run;
+use super::screen_box::{Region, Search, screen_between};
 use crate::cell::Cell;
 use found::{ShadowPlaces, VolumePlace};
 use imogene_algebra::rational::to_f64;
@@ -66,71 +67,110 @@ impl Volumes {
     }
 }
 
-/// The volumes of a scene whose objects are prepared, and notes on objects without a shadow; `done` is called once for
-/// each of [`pairs`].
-pub(super) fn prepare_volumes(
-    scene: &FramedScene,
-    objects: &mut [PreparedObject],
-    context: &Context,
-    (known, found): (&Known, &Found),
-    missing: &mut Vec<Missing>,
-    done: &(impl Fn() + Sync),
-) -> Result<Volumes, PrepareError> {
-    note_what_casts_none(scene, objects, context);
-    let has_spot = scene.sources.iter().any(|source| source.cone.is_some());
-    let pairs = pairs(scene);
-    if pairs.is_empty() && !has_spot {
-        return Ok(Volumes::default());
-    }
-    let seen = seen(scene, objects, context, (known, found));
-    let receivers = around(&seen);
-    let spots = spots(scene, receivers.as_ref(), context, missing)?;
-    let mut volumes = Volumes {
-        spots,
-        shadows: vec![],
-        seen,
-        receivers,
-    };
-    let Some(receivers) = receivers else {
-        return Ok(volumes);
-    };
-    let prepared: &[PreparedObject] = objects;
-    // Collected before the first error is taken, so that the same volume is named in every run.
-    let shadows: Vec<Result<Shadow, PrepareError>> = pairs
-        .par_iter()
-        .filter_map(|&(source, object)| {
-            let own = &prepared[object];
+impl Run<'_> {
+    /// The volumes of a scene whose objects are prepared, and notes on objects without a shadow.
+    pub fn volumes(&mut self, objects: &mut [PreparedObject]) -> Result<Volumes, PrepareError> {
+        let (scene, context) = (self.scene, self.context);
+        note_what_casts_none(scene, objects, context);
+        let has_spot = scene.sources.iter().any(|source| source.cone.is_some());
+        let pairs = pairs(scene);
+        if pairs.is_empty() && !has_spot {
+            return Ok(Volumes::default());
+        }
+        let seen = self.seen(objects);
+        let receivers = around(&seen);
+        let mut volumes = Volumes {
+            spots: self.spots(receivers.as_ref())?,
+            shadows: vec![],
+            seen,
+            receivers,
+        };
+        let Some(receivers) = receivers else {
+            return Ok(volumes);
+        };
+        let prepared: &[PreparedObject] = objects;
+        // Collected before the first error is taken, so that the same volume is named in every run.
+        let shadows = pairs.par_iter().filter_map(|&(source, object)| {
             let framed = scene.objects[object].caster();
             let casts = framed.is_none_or(|framed| why_no_shadow(framed, context).is_none());
-            let found = casts.then(|| {
-                let point = &scene.sources[source].point;
-                let kept = known.shadow(source, object, point, &receivers);
-                let reused = kept.is_some();
-                let volumes = match kept {
-                    Some(volumes) => Ok(volumes),
-                    None => {
-                        let places = found.shadow(scene, (source, object), &receivers, context);
-                        shadow(places, (source, object), own, context)
-                    }
-                };
-                volumes.map(|volumes| Shadow {
-                    source,
-                    object,
-                    volumes,
-                    reused,
-                })
-            });
-            done();
+            let found = casts.then(|| self.shadow((source, object), &prepared[object], &receivers));
+            (self.done)();
             found
-        })
-        .collect();
-    for shadow in shadows {
-        match shadow {
-            Ok(shadow) => volumes.shadows.push(shadow),
-            Err(reason) => context.leave_out(missing, true, reason)?,
+        });
+        let shadows: Vec<Result<Shadow, PrepareError>> = shadows.collect();
+        for shadow in shadows {
+            match shadow {
+                Ok(shadow) => volumes.shadows.push(shadow),
+                Err(reason) => self.leave_out(true, reason)?,
+            }
         }
+        Ok(volumes)
     }
-    Ok(volumes)
+
+    /// The shadow of an object from a source, taken over if it is known.
+    fn shadow(
+        &self,
+        (source, object): (usize, usize),
+        prepared: &PreparedObject,
+        receivers: &Cell,
+    ) -> Result<Shadow, PrepareError> {
+        let point = &self.scene.sources[source].point;
+        let kept = self.known.shadow(source, object, point, receivers);
+        let reused = kept.is_some();
+        let find = || {
+            let found = &self.located.found;
+            let places = found.shadow(self.scene, (source, object), receivers, self.context);
+            shadow(places, (source, object), prepared, self.context)
+        };
+        Ok(Shadow {
+            source,
+            object,
+            volumes: kept.map_or_else(find, Ok)?,
+            reused,
+        })
+    }
+
+    fn spots(&mut self, receivers: Option<&Cell>) -> Result<Vec<PreparedVolume>, PrepareError> {
+        let mut volumes = Vec::new();
+        for (source, framed) in self.scene.sources.iter().enumerate() {
+            let (Some(cone), Some(receivers)) = (&framed.cone, receivers) else {
+                continue;
+            };
+            let name = format!("the cone of the spot lights[{source}]");
+            let unseen = unseen(name, VolumeKind::Light, source, None);
+            let planes = from_ref(&cone.plane);
+            let place = VolumePlace::new(&cone.quadric, planes, receivers, self.context);
+            match volume_words(unseen, &place, 0.0, self.context) {
+                Ok(volume) => volumes.push(volume),
+                Err(reason) => self.leave_out(true, reason)?,
+            }
+        }
+        Ok(volumes)
+    }
+
+    /// Where each object is seen, those that are known taken over.
+    fn seen(&self, prepared: &[PreparedObject]) -> Vec<Option<Bounds>> {
+        let context = self.context;
+        let full = to_f64(&context.full_depth);
+        let domain = screen_between(context.width, context.height, [-full, full]);
+        let objects = self.scene.objects.par_iter().zip(prepared).enumerate();
+        let seen = objects.map(|(index, (object, prepared))| {
+            if let Some(known) = self.known.objects[index].and_then(|kept| kept.seen) {
+                return known;
+            }
+            let b = prepared.screen_box();
+            if b.is_empty() {
+                return None;
+            }
+            let find = || depths(object, domain, context);
+            let (near, far) = self.located.found.depths.get(index, find)?;
+            let at = |pixel: i64, size: u32| pixel as f64 - 0.5 * f64::from(size);
+            let low = [at(b.x0, context.width), at(b.y0, context.height), near];
+            let high = [at(b.x1, context.width), at(b.y1, context.height), far];
+            Some((low, high))
+        });
+        seen.collect()
+    }
 }
 
 /// Where a source has shadows, says of every object that casts none, and was not told so, why.
@@ -219,57 +259,6 @@ fn face_error(beginning: Beginning, object: &PreparedObject) -> f64 {
     }
 }
 
-fn spots(
-    scene: &FramedScene,
-    receivers: Option<&Cell>,
-    context: &Context,
-    missing: &mut Vec<Missing>,
-) -> Result<Vec<PreparedVolume>, PrepareError> {
-    let mut volumes = Vec::new();
-    for (source, framed) in scene.sources.iter().enumerate() {
-        let (Some(cone), Some(receivers)) = (&framed.cone, receivers) else {
-            continue;
-        };
-        let name = format!("the cone of the spot lights[{source}]");
-        let unseen = unseen(name, VolumeKind::Light, source, None);
-        let place = VolumePlace::new(&cone.quadric, from_ref(&cone.plane), receivers, context);
-        match volume_words(unseen, &place, 0.0, context) {
-            Ok(volume) => volumes.push(volume),
-            Err(reason) => context.leave_out(missing, true, reason)?,
-        }
-    }
-    Ok(volumes)
-}
-
-/// Where each object is seen, those that are known taken over.
-fn seen(
-    scene: &FramedScene,
-    prepared: &[PreparedObject],
-    context: &Context,
-    (known, found): (&Known, &Found),
-) -> Vec<Option<Bounds>> {
-    let full = to_f64(&context.full_depth);
-    let domain = screen_domain(context.width, context.height, full);
-    let objects = scene.objects.par_iter().zip(prepared).enumerate();
-    objects
-        .map(|(index, (object, p))| {
-            if let Some(known) = known.objects[index].and_then(|kept| kept.seen) {
-                return known;
-            }
-            if p.screen_box().is_empty() {
-                return None;
-            }
-            let find = || depths(object, domain, context);
-            let (near, far) = found.depths.get(index, find)?;
-            let b = p.screen_box();
-            let at = |pixel: i64, size: u32| pixel as f64 - 0.5 * f64::from(size);
-            let low = [at(b.x0, context.width), at(b.y0, context.height), near];
-            let high = [at(b.x1, context.width), at(b.y1, context.height), far];
-            Some((low, high))
-        })
-        .collect()
-}
-
 /// The cell of screen space that holds everything seen; `None` if nothing is.
 fn around(seen: &[Option<Bounds>]) -> Option<Cell> {
     let seen = seen.iter().flatten().copied();
@@ -289,7 +278,7 @@ fn depths(object: &FramedObject, domain: Cell, context: &Context) -> Option<(f64
         // Facets and approximated surfaces: their depths are not those of a quadric.
         return Some((-full, full));
     };
-    let (quadric, planes) = on_screen(object, &context.inverse_distance);
+    let (quadric, planes) = on_screen(&object.quadric, &object.planes, &context.inverse_distance);
     let clamped = |(near, far): (f64, f64)| ((near - 1.0).max(-full), (far + 1.0).min(full));
     if planes.is_empty()
         && let Some(cell) = Extent::of(&quadric.q).and_then(|extent| extent.cell())
