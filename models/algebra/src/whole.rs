@@ -1,5 +1,6 @@
 //! Rationals as whole numbers over one denominator, and as whole numbers without a common divisor.
 
+use crate::rational::to_f64;
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::BigRational;
@@ -49,4 +50,13 @@ pub fn common_divisor<const N: usize>(mut values: [&BigInt; N]) -> BigInt {
 /// Panics if there is no value.
 pub fn greatest<T: Signed + Ord, const N: usize>(values: [&T; N]) -> T {
     values.into_iter().map(T::abs).max().expect("a value")
+}
+
+/// Numbers over the greatest magnitude among them; all zero where that is.
+pub fn scaled<const N: usize>(values: [&BigRational; N]) -> [f64; N] {
+    let greatest = greatest(values);
+    match greatest.is_zero() {
+        true => [0.0; N],
+        false => values.map(|value| to_f64(&(value / &greatest))),
+    }
 }

@@ -3,9 +3,9 @@
 use super::shape::Mesh;
 use super::transform::Transform;
 use imogene_algebra::matrix::{cofactors3, image, transposed};
-use imogene_algebra::rational::{from_decimal, to_f64};
+use imogene_algebra::rational::from_decimal;
 use imogene_algebra::vector::{cross, dot, minus, normalised};
-use imogene_algebra::whole::greatest;
+use imogene_algebra::whole::scaled;
 use imogene_contract::words::NORMAL_LENGTH;
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
@@ -125,7 +125,6 @@ fn turned_normal(normal: &[f64; 3], transform: &Transform) -> Point {
 
 /// The direction in 16-bit components, of the length that facets have.
 fn full_length(vector: &Point) -> [i16; 3] {
-    let most = greatest(vector.each_ref());
-    let unit = normalised(vector.each_ref().map(|v| to_f64(&(v / &most))));
+    let unit = normalised(scaled(vector.each_ref()));
     unit.map(|v| (v * NORMAL_LENGTH as f64).round() as i16)
 }

@@ -8,9 +8,9 @@ use super::error::SceneError;
 use super::quadric::{FramedQuadric, Plane, Quadric};
 use super::shape::Surface;
 use super::transform::Transform;
-use imogene_algebra::rational::{from_decimal, from_f64_exact, integer, to_f64};
+use imogene_algebra::rational::{from_decimal, from_f64_exact, integer};
 use imogene_algebra::vector::{dot, minus, square};
-use imogene_algebra::whole::greatest;
+use imogene_algebra::whole::scaled;
 use num_rational::BigRational;
 use num_traits::Signed;
 
@@ -120,8 +120,7 @@ impl FramedCylinder {
             std::mem::swap(&mut front, &mut back);
         }
         let axis = minus(&back, &front);
-        let most = greatest(axis.each_ref());
-        let [x, y, z] = axis.each_ref().map(|v| to_f64(&(v / &most)));
+        let [x, y, z] = scaled(axis.each_ref());
         let (level, length) = (x.hypot(y), x.hypot(y).hypot(z));
         let least = LEAST_PART * length;
         if level < least || z < least {

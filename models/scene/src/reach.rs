@@ -10,8 +10,7 @@ use super::shape::{Shape, Surface};
 use super::transform::{Transform, WholeTransform};
 use imogene_algebra::rational::{from_decimal, to_f64};
 use imogene_algebra::vector::{cross, dot, length, normalised};
-use imogene_algebra::whole::greatest;
-use num_traits::Zero;
+use imogene_algebra::whole::{greatest, scaled};
 
 type Vector = [f64; 3];
 
@@ -108,12 +107,7 @@ fn plus(a: Vector, factor: f64, b: Vector) -> Vector {
 impl CutBody {
     fn of(object: &Object, moved: &Transform, size: f64) -> CutBody {
         let exact = cut_quadric(object, 0, &WholeTransform::new(moved));
-        let all = exact.quadric.coefficients();
-        let most = greatest(all);
-        let [a, b, c, d, e, f, g, h, i, j] = match most.is_zero() {
-            true => [0.0; 10],
-            false => all.map(|v| to_f64(&(v / &most))),
-        };
+        let [a, b, c, d, e, f, g, h, i, j] = scaled(exact.quadric.coefficients());
         let cuts = exact.planes.iter().map(|plane| {
             let most = greatest([&plane.a, &plane.b, &plane.c]);
             let [a, b, c, d] = plane.coefficients().map(|v| to_f64(&(v / &most)));

@@ -3,17 +3,15 @@
 use super::facet::{MeshNormals, RayMesh};
 use super::number::SurdReal;
 use super::ray::{Hit, RayObject};
-use imogene_algebra::rational::to_f64;
 use imogene_algebra::vector::length;
-use imogene_algebra::whole::greatest;
+use imogene_algebra::whole::scaled;
 use imogene_golden::format::Format;
 use imogene_golden::machine::frame::{Frame, FrameLayer};
 use imogene_golden::unit::depth_interval::{FACE_FAR, FACE_NEAR, FACE_NEAR_END, FACE_PLANE};
 use imogene_golden::unit::normal::NEAR_END_NORMAL;
 use imogene_scene::{FramedObject, FramedScene, FramedSolid, Tree};
 use num_bigint::BigInt;
-use num_rational::BigRational;
-use num_traits::{ToPrimitive, Zero};
+use num_traits::ToPrimitive;
 use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -280,13 +278,4 @@ impl Normals<'_> {
 fn full_length(direction: [f64; 3]) -> [i16; 3] {
     let length = length(direction);
     direction.map(|v| (v / length * 32767.0).round() as i16)
-}
-
-/// Numbers over the greatest of them; all zero where that is.
-pub fn scaled<const N: usize>(coefficients: [&BigRational; N]) -> [f64; N] {
-    let greatest = greatest(coefficients);
-    match greatest.is_zero() {
-        true => [0.0; N],
-        false => coefficients.map(|c| to_f64(&(c / &greatest))),
-    }
 }

@@ -4,7 +4,8 @@
 //! a quadric all but degenerates that is not enough.
 
 use imogene_algebra::matrix::image;
-use imogene_analysis::exact::render::{View, scaled};
+use imogene_algebra::whole::scaled;
+use imogene_analysis::exact::render::View;
 use imogene_golden::unit::depth_interval::{FACE_NEAR_END, FACE_PLANE};
 use imogene_scene::{FramedQuadric, FramedScene, Projection};
 use num_bigint::BigInt;
