@@ -62,7 +62,7 @@ fn crossing(Cut { point, normal }: &Cut) -> Option<(f64, bool)> {
     (normal[1] != 0.0).then(|| (along / normal[1], normal[1] > 0.0))
 }
 
-fn placed(object: &Object, point: [f64; 3]) -> [f64; 3] {
+pub(super) fn placed(object: &Object, point: [f64; 3]) -> [f64; 3] {
     object.place.iter().fold(point, |point, step| match step {
         Step::Translate(offset) => std::array::from_fn(|k| point[k] + offset[k]),
         Step::Rotate(rotation) => turned(rotation, point),
@@ -71,6 +71,6 @@ fn placed(object: &Object, point: [f64; 3]) -> [f64; 3] {
     })
 }
 
-pub(super) fn turned(rotation: &Rotation, point: [f64; 3]) -> [f64; 3] {
+fn turned(rotation: &Rotation, point: [f64; 3]) -> [f64; 3] {
     rotation_matrix(rotation).map(|row| (0..3).map(|k| row[k] * point[k]).sum())
 }

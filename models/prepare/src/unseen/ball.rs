@@ -17,7 +17,7 @@
 //! cancels. The chord of a ray in the inner ball lies in that of the true one, and this in that of the outer one. So
 //! `sqrt(f2)`, half the chord in depth words, of the true ball lies between those of the inner and the outer one.
 
-use crate::witness::turned;
+use crate::witness::placed;
 use imogene_scene::{FloatCamera, Object, Processor, Scale, Shape, Step, Surface};
 
 /// Error of a placed point, as a part of the sum of the magnitudes on its way.
@@ -45,16 +45,12 @@ impl Ball {
         if !is_plain {
             return None;
         }
-        let (mut place, mut sum) = ([0.0; 3], 0.0);
+        let mut sum = 0.0;
         for step in &object.place {
             match step {
-                Step::Translate(offset) => {
-                    place = std::array::from_fn(|k| place[k] + offset[k]);
-                    sum += size(offset);
-                }
-                Step::Rotate(rotation) => place = turned(rotation, place),
+                Step::Translate(offset) => sum += size(offset),
+                Step::Rotate(_) => {}
                 Step::Scale(Scale::Uniform(factor)) => {
-                    place = place.map(|v| v * factor);
                     (sum, radius) = (sum * factor.abs(), radius * factor.abs());
                 }
                 Step::Scale(Scale::PerAxis(_)) => return None,
@@ -62,7 +58,7 @@ impl Ball {
         }
         let spare = PLACE * (sum + size(&camera.origin)) + SHAPE * radius;
         (spare < 1e-3 * radius).then(|| Ball {
-            centre: camera.seen(place),
+            centre: camera.seen(placed(object, [0.0; 3])),
             radius,
             spare,
         })
