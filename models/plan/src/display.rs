@@ -156,8 +156,7 @@ fn finished(
     if machine.smoothing == Smoothing::None {
         return picture;
     }
-    let pixels = picture.chunks_exact(3).map(|p| [p[0], p[1], p[2]]);
-    let pixels: Vec<[u8; 3]> = pixels.collect();
+    let (pixels, _) = picture.as_chunks::<3>();
     let width = frame.width / machine.supersampling as usize;
     let lines: Vec<Vec<[u8; 3]>> = pixels.chunks(width).map(<[_]>::to_vec).collect();
     machine.smoothing.kernel().picture(&lines).concat().concat()

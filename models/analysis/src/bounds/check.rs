@@ -202,10 +202,8 @@ fn summary(scene: &FramedScene, prepared: &PreparedScene, objects: &[ObjectRepor
 fn visible_pixels(prepared: &PreparedScene) -> Vec<usize> {
     let frame = prepared.frame(|| ());
     let mut pixels = vec![0; prepared.objects.len()];
-    for id in &frame.id {
-        if let Ok(id) = usize::try_from(*id) {
-            pixels[id] += 1;
-        }
+    for id in frame.id.iter().flat_map(|&id| usize::try_from(id)) {
+        pixels[id] += 1;
     }
     for layer in &frame.layers {
         let both = layer.depth.iter().zip(&frame.depth);

@@ -69,10 +69,8 @@ impl Reduced {
     /// object as long as no more than `pixels` of its pixels change. With 0 nothing changes.
     pub fn of(scene: &PreparedScene, frame: &Frame, pixels: u64) -> Reduced {
         let mut seen = vec![0; scene.objects.len()];
-        for &id in &frame.id {
-            if let Ok(id) = usize::try_from(id) {
-                seen[id] += 1;
-            }
+        for id in frame.id.iter().flat_map(|&id| usize::try_from(id)) {
+            seen[id] += 1;
         }
         let objects = scene.objects.par_iter().zip(seen);
         let one = |(object, seen)| reduce(object, seen, &scene.format, pixels);
