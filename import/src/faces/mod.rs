@@ -8,11 +8,11 @@ mod build;
 mod canonical;
 mod cell;
 pub mod chart;
-mod compile;
 mod correct;
 pub mod courses;
 pub mod cover;
 mod curve;
+mod curved_face;
 mod keys;
 mod meetings;
 pub mod model;
@@ -25,25 +25,27 @@ mod scene;
 mod slabs;
 mod step;
 mod surface;
+mod task;
 pub mod vector;
 mod volume;
 
 pub use cell::{Cell, Compilation, Compiled, Planes, Separator, Verdict};
-pub use compile::Part;
 pub use cover::Sample;
 pub use curve::{Arc, Curve, Ellipse, PlaneOf, Polyline};
 pub use step::Beside;
 pub use surface::{Form, Implicit, Surface};
+pub use task::Part;
 
 use crate::error::{Error, ImportError, Result, text};
 use crate::kit::Imported;
 use cell::Made;
 use chart::Chart;
-use compile::{Task, quadric_face, torus_face};
 use courses::Courses;
+use curved_face::{quadric_face, torus_face};
 use imogene_files::text::counted;
 use model::{Edge, EdgeUse, Face, Model, Solid};
 use step21::with_article;
+use task::Task;
 
 /// What the user asks of the compiler.
 #[derive(Clone, Copy, Debug, Default)]

@@ -1,8 +1,8 @@
 //! How a face is divided: terms of few separators, and straight lines that part two conics in a plane.
 
 use super::arrangement::{Conic, MAX_SEPARATORS, Parting};
-use super::compile::Task;
 use super::cover::{Conflict, Sample, Term, cover};
+use super::task::Task;
 use super::vector::*;
 use super::{Curve, Ellipse, Form, Implicit, PlaneOf, Surface};
 use std::f64::consts::PI;

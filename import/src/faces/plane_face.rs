@@ -1,12 +1,12 @@
 //! Faces in a plane: two opposite cut planes with one more quadric at most, which are drawn exactly.
 
 use super::arrangement::{Conic, EDGE, Parting};
-use super::compile::Task;
 use super::courses::MAX_PIECES;
 use super::cover::Term;
 use super::parting::terms;
 use super::rings::Band;
 use super::slabs;
+use super::task::Task;
 use super::vector::{Vector, along, cross, distance, dot, minus, unit};
 use super::{Cell, Compiled, Curve, EdgeUse, Made, PlaneOf, Separator};
 use imogene_scene::MAX_CUTS;

@@ -1,7 +1,7 @@
 //! Counts and verdicts of a compiled part.
 
-use super::compile::Part;
 use super::courses::Courses;
+use super::task::Part;
 use super::{Compilation, Curve, Model, Verdict};
 use imogene_files::text::counted;
 use indexmap::IndexMap;

@@ -1,6 +1,6 @@
 //! The scene of a compiled part.
 
-use super::compile::Part;
+use super::task::Part;
 use super::vector::{Vector, along, cross, opposite, unit};
 use super::{Cell, Compilation, Implicit, Model, Planes};
 use imogene_golden::format::Format;

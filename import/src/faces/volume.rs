@@ -3,8 +3,8 @@
 //! The form is proven: on every surface of the solid the AND of all half-spaces keeps the faces and nothing else.
 
 use super::arrangement::{EDGE, Parting};
-use super::compile::{Part, Task};
 use super::model::{COINCIDENT, border};
+use super::task::{Part, Task};
 use super::vector::{Vector, distance, dot, minus};
 use super::{Cell, Curve, Model, Separator, Surface};
 use imogene_scene::MAX_CUTS;

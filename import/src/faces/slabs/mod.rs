@@ -10,8 +10,8 @@ mod strips;
 
 use super::arrangement::Parting;
 use super::chart::{free_pole, nearest_turn};
-use super::compile::Task;
 use super::rings::Band;
+use super::task::Task;
 use super::vector::{Vector, minus, unit};
 use super::{Cell, Chart, Curve, Made, Separator};
 use keys::Key;
