@@ -1,5 +1,6 @@
 //! Faces on quadrics and tori.
 
+use super::arrangement::Parting;
 use super::cover::Term;
 use super::model::COINCIDENT;
 use super::parting::terms;

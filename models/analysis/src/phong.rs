@@ -72,8 +72,8 @@ fn colour(scene: &FramedScene, object: usize, point: Vector, normal: Vector, fla
         let mirrored: Vector = std::array::from_fn(|k| 2.0 * lambert * normal[k] - direction[k]);
         let along = dot(mirrored, viewer).max(0.0);
         let highlight = along.powi(material.exponent as i32);
-        for k in 0..3 {
-            sum[k] += part
+        for (k, sum) in sum.iter_mut().enumerate() {
+            *sum += part
                 * light.colour[k]
                 * (material.diffuse * material.colour[k] * lambert + material.specular * highlight);
         }

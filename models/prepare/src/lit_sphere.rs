@@ -126,9 +126,9 @@ pub fn far_colour(
         let highlight = dot(mirrored, VIEWER)
             .max(0.0)
             .powi(material.exponent as i32);
-        for k in 0..3 {
+        for (k, sum) in sum.iter_mut().enumerate() {
             let diffused = material.diffuse * material.colour[k] * lambert;
-            sum[k] += light.colour[k] * (diffused + material.specular * highlight);
+            *sum += light.colour[k] * (diffused + material.specular * highlight);
         }
     }
     sum

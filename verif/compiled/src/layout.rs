@@ -60,7 +60,6 @@ pub(crate) struct Group {
     pub(crate) module: Arc<Module>,
     pub(crate) lanes: Lanes,
     pub(crate) place: usize,
-    pub(crate) parts: usize,
     /// Its words.
     words: Range<usize>,
     /// Not all 0 in a clock in which some input is new.
@@ -268,7 +267,6 @@ impl Layout {
                 module: module.clone(),
                 lanes,
                 place,
-                parts: together.len(),
                 words: place..news,
                 news,
                 owner,
