@@ -121,17 +121,17 @@ fn shaded(seen: &Shown, machine: &ZoneMachine) -> Coloured {
     };
     let pixel = Pixel::of([sample(place.x, 2), sample(place.y, 4)]);
     net! {
-        // Between pixels the words of the last one stay, so that the shading stands still.
+        // Between pixels the words of the last one stay, so that most of the shading stands still. A gate behind the
+        // memory of materials would cost a tenth of the clock.
         let valid_late = seen.valid.reg();
         let depth_late = surface.depth.reg_when(seen.valid);
         let flags_late = seen.flags.reg_when(seen.valid);
-        let material_late = valid_late.select(material, Bits::new(0, MATERIAL));
     }
     let point = Point {
         valid: valid_late,
         pixel: pixel.registered_when(seen.valid),
         depth: depth_late,
-        material: material_late,
+        material,
         normal: shaded_normal(surface.normal).registered_when(seen.valid),
         flags: flags_late,
     };
