@@ -121,8 +121,8 @@ fn shaded(seen: &Shown, machine: &ZoneMachine) -> Coloured {
     };
     let pixel = Pixel::of([sample(place.x, 2), sample(place.y, 4)]);
     net! {
-        // Between pixels the words of the last one stay, so that most of the shading stands still. A gate behind the
-        // memory of materials would cost a tenth of the clock.
+        // Between pixels the words of the last one stay, so that what reads no material stands still. A gate behind the
+        // memory of materials would be on the slowest path.
         let valid_late = seen.valid.reg();
         let depth_late = surface.depth.reg_when(seen.valid);
         let flags_late = seen.flags.reg_when(seen.valid);
