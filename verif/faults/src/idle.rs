@@ -3,11 +3,12 @@
 use crate::frame::{Begin, CONTROL, End, Word, constant};
 use crate::gates::{Bit, Gates, NO};
 use imogene_hdl::Levels;
+use rayon::prelude::*;
 use std::collections::HashSet;
 use std::sync::Arc;
 
-/// Gates of all clocks of a beginning, at most: each register is looked at by itself.
-const GATES: usize = 2_000_000;
+/// Gates of all clocks of all beginnings that are looked at, at most.
+const GATES: usize = 400_000_000;
 
 /// The value of each bit of each register that never changes.
 pub(crate) type Constants = Vec<Vec<Option<bool>>>;
@@ -107,17 +108,40 @@ impl Idle {
         }
     }
 
-    /// Is what a register holds at power-up without meaning: do two circuits that differ in it alone hold the same once
-    /// the work began and the latency passed?
-    pub(crate) fn forgets(&self, levels: &Arc<Levels>, register: usize, latency: usize) -> bool {
+    /// Those of some registers of which what they hold at power-up has no meaning: two circuits that differ in it alone
+    /// hold the same once the work began and the latency passed. Of all of them at once, then of halves where not.
+    pub(crate) fn forgotten(
+        &self,
+        levels: &Arc<Levels>,
+        registers: Vec<usize>,
+        latency: usize,
+    ) -> Vec<usize> {
         let clocks = self.begins.len() + latency.max(1) - 1;
-        if self.begins.is_empty() || clocks * levels.code.len() * 16 > GATES {
-            return false;
+        let mut left = match self.begins.is_empty() || registers.is_empty() {
+            true => 0,
+            false => GATES / (clocks * levels.code.len() * 16).max(1),
+        };
+        let (mut open, mut forgotten) = (vec![registers], vec![]);
+        while !open.is_empty() {
+            open.truncate(left);
+            left -= open.len();
+            let is_forgotten = open.par_iter().map(|registers| {
+                let differs = self.spread(levels, bits(levels, registers));
+                differs.is_some_and(|differs| self.is_gone(levels, &differs, clocks))
+            });
+            let is_forgotten: Vec<bool> = is_forgotten.collect();
+            let mut halves = vec![];
+            for (mut registers, is_forgotten) in open.into_iter().zip(is_forgotten) {
+                if is_forgotten {
+                    forgotten.extend(registers);
+                } else if registers.len() > 1 {
+                    halves.push(registers.split_off(registers.len() / 2));
+                    halves.push(registers);
+                }
+            }
+            open = halves;
         }
-        let bits = 0..levels.flops[register].width as usize;
-        let own: Bits = bits.map(|bit| (register, bit)).collect();
-        self.spread(levels, own)
-            .is_some_and(|differs| self.is_gone(levels, &differs, clocks))
+        forgotten
     }
 
     /// What differs before the work if these bits do; `None` if that is written into a memory.
@@ -199,6 +223,16 @@ impl Idle {
         }
         (begin, sources)
     }
+}
+
+/// All bits of some registers.
+fn bits(levels: &Levels, registers: &[usize]) -> Bits {
+    let of = |register: &usize| {
+        let register = *register;
+        let bits = 0..levels.flops[register].width as usize;
+        bits.map(move |bit| (register, bit))
+    };
+    registers.iter().flat_map(of).collect()
 }
 
 /// Does a bit of a word depend on something?

@@ -225,10 +225,10 @@ impl Known {
     fn forgotten(&self, levels: &Arc<Levels>) -> Vec<Vec<bool>> {
         let first = self.idle.begins.first().map_or(&[][..], |clock| clock);
         let mut forgotten = forgotten(levels, first, self.latency);
-        for (register, bits) in forgotten.iter_mut().enumerate() {
-            if bits.contains(&false) && self.idle.forgets(levels, register, self.latency) {
-                bits.fill(true);
-            }
+        let open = (0..forgotten.len()).filter(|register| forgotten[*register].contains(&false));
+        let open = open.collect();
+        for register in self.idle.forgotten(levels, open, self.latency) {
+            forgotten[register].fill(true);
         }
         forgotten
     }

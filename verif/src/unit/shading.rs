@@ -3,10 +3,10 @@
 use super::description::{Description, behind_valid, bit, late};
 use crate::stimulus::mapped;
 use crate::subject::{Inputs, Stimuli, Subject};
-use imogene_contract::shading::table_latency;
+use imogene_contract::shading::{MATERIAL_WORDS, table_latency};
 use imogene_golden::format::Format;
 use imogene_golden::machine::shader::{
-    LATENCY, LightWords, Pixel, Shader, ShaderWords, SphereTables,
+    LATENCY, LightWords, MATERIAL_ADDRESS, Pixel, Shader, ShaderWords, SphereTables,
 };
 use imogene_studies::shading_trial::sequence;
 use proptest::prelude::*;
@@ -25,10 +25,18 @@ const LOAD: usize = 3;
 
 pub(super) fn shading_processor(format: Format, lights: usize, suns: usize) -> Description {
     let stimulus = move |subject: &_, clocks| {
-        words_then_pixels(subject, clocks, lights, move |_, words| {
+        words_then_pixels(subject, clocks, lights, inverted, move |seed, words| {
             let suns = words.lights[lights - suns..].iter_mut();
             suns.for_each(shine_from_afar);
-            words.load_words()
+            let at = u16::from(inverted(seed)) * MATERIAL_WORDS as u16;
+            let loads = words.load_words().into_iter();
+            let loads = loads.map(|(address, word)| match address < MATERIAL_ADDRESS {
+                true => (address, word),
+                false => (address ^ at, word),
+            });
+            let mut loads: Vec<_> = loads.collect();
+            add_strays(&mut loads, seed, 16);
+            loads
         })
     };
     let words = ShaderWords::unloaded(format.depth, lights);
@@ -46,21 +54,31 @@ pub(super) fn lit_sphere(format: Format, places: u32, count: u32, nearest: bool)
     };
     let stimulus = move |subject: &_, clocks| {
         let tables = tables.clone();
-        words_then_pixels(subject, clocks, 1, move |seed, words| {
+        let none = |_| 0;
+        words_then_pixels(subject, clocks, 1, none, move |seed, words| {
             // Words of lights and materials mean nothing to it.
             let view = words.load_words().into_iter().take(20);
             let mut loads: Vec<_> = view.chain(drawn(&tables, seed).load_words()).collect();
-            // Entries one bit beside, which are others or are not in use.
-            let strays = (0..8u64).map(|n| {
-                let [at, other] = [1, 2].map(|back| loads[loads.len() - back - n as usize]);
-                (at.0 ^ 1 << (seed.rotate_left(8 * n as u32) % 15), other.1)
-            });
-            let strays: Vec<_> = strays.collect();
-            loads.extend(strays);
+            add_strays(&mut loads, seed, 15);
             loads
         })
     };
     described(stimulus, words, table_latency(places, nearest))
+}
+
+/// Bits of the numbers of materials that are 1 where those of the drawn ones are 0.
+fn inverted(seed: u64) -> u8 {
+    (seed >> 8) as u8
+}
+
+/// Adds words at addresses with one bit inverted, of so many: others that count, or some that are not in use.
+fn add_strays(loads: &mut Vec<(u16, u32)>, seed: u64, bits: u64) {
+    let strays = (0..8u64).map(|n| {
+        let [at, other] = [1, 2].map(|back| loads[loads.len() - back - n as usize]);
+        (at.0 ^ 1 << (seed.rotate_left(8 * n as u32) % bits), other.1)
+    });
+    let strays: Vec<_> = strays.collect();
+    loads.extend(strays);
 }
 
 /// Tables of any entries that are no brighter than white.
@@ -115,11 +133,13 @@ fn pixel(i: &[i64]) -> Pixel {
     }
 }
 
-/// Words are held while pixels are inside, so they are loaded first; then pixels with gaps.
+/// Words are held while pixels are inside, so they are loaded first; then pixels with gaps, in whose materials some bits
+/// are inverted.
 fn words_then_pixels(
     subject: &Subject,
     clocks: usize,
     lights: usize,
+    inverted: fn(u64) -> u8,
     loaded: impl Fn(u64, &mut ShaderWords) -> Vec<(u16, u32)> + 'static,
 ) -> Stimuli {
     let depth = subject.inputs[port::DEPTH].width;
@@ -150,7 +170,8 @@ fn words_then_pixels(
         for (gap, p) in gaps.iter().zip(pixels) {
             let mut inputs = idle.clone();
             inputs[port::VALID] = i64::from(*gap > 0);
-            let place = [p.x.into(), p.y.into(), p.depth, p.material.into()];
+            let material = p.material ^ inverted(seed);
+            let place = [p.x.into(), p.y.into(), p.depth, material.into()];
             inputs[port::PIXEL..port::NORMAL].copy_from_slice(&place);
             inputs[port::NORMAL..port::FLAGS].copy_from_slice(&p.normal.map(i64::from));
             if count > port::FLAGS + LOAD {

@@ -108,6 +108,19 @@ pub fn sequence(seed: u64, depth: u32, lights: usize, pixels: usize) -> (ShaderW
         words.lights.extend(more.words.lights);
     }
     words.lights.truncate(lights);
+    // Vectors to lights as short and as long as their words allow.
+    for light in &mut words.lights {
+        let most = (1 << 27) - 1;
+        match random.below(6) {
+            0 | 1 => light.base = light.base.map(|part| part >> random.below(27)),
+            2 => light.slope = [0; 3],
+            3 => {
+                light.base = [(); 3].map(|()| [most, !most][random.below(2) as usize]);
+                light.slope = light.base.map(|part| !part);
+            }
+            _ => (),
+        }
+    }
     words.materials = (0..5).map(|_| material(&mut random)).collect();
     words.background = [(); 3].map(|()| random.bits() as u8);
     // A viewer so far away that coordinates are shifted by all places there are; a distance of one bit.

@@ -26,14 +26,15 @@ const FALL: Curve = Curve {
     fraction: 18,
 };
 
-/// `log2(number)` in 28 bits, 20 of them after the point; 0 has none. The number has 20 bits at least.
+/// `log2(number)` in 28 bits, 20 of them after the point; 0 has none. The number has 20 bits at least, and above its
+/// leading one at most so many zeros.
 ///
 /// The octave by shifting to the leading one, the 19 bits behind it through a curve of 32 segments. Latency
 /// [`LOGARITHM`].
-pub fn logarithm(at: &str, number: Bits) -> Int {
+pub fn logarithm(at: &str, number: Bits, zeros: u32) -> Int {
     module("logarithm", at, ("number", number), |number| {
         let width = number.width();
-        let full = shifted(vec![number], None);
+        let full = shifted(vec![number], None, zeros);
         let [segment, place] =
             [(2, 6), (7, 20)].map(|(high, low)| full.words[0].slice(width - high, width - low));
         let part = segment_curve("curve", segment, place, &LOG_CURVE);

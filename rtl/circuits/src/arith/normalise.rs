@@ -41,14 +41,15 @@ fn unshifted(words: Vec<Bits>, magnitude: Option<Bits>) -> Shifted {
     }
 }
 
-/// Shifts words to the left until the first bit of the magnitude is set, or of the first word where there is none.
-/// Latency [`NORMALISED`]: a register stands behind each shift, of short words more around them.
+/// Shifts words to the left until the first bit of the magnitude is set, or of the first word where there is none;
+/// above the leading one stand at most so many zeros. Latency [`NORMALISED`]: a register stands behind each shift, of
+/// few shifts more around them.
 ///
 /// Whether to shift is found a clock ahead, for the wires to all bits; of words without a register before the first
 /// shift that one alone is found late.
-pub(super) fn shifted(words: Vec<Bits>, magnitude: Option<Bits>) -> Shifted {
+pub(super) fn shifted(words: Vec<Bits>, magnitude: Option<Bits>, zeros: u32) -> Shifted {
     let width = magnitude.unwrap_or(words[0]).width();
-    let shifts = width.next_power_of_two().ilog2();
+    let shifts = (zeros + 1).next_power_of_two().ilog2();
     let free = |magnitude: Bits, count: u32| magnitude.slice(width - 1, width - count).is(0);
     let mut now = unshifted(words, magnitude);
     let name = |count: u32| format!("is_free_{count}");

@@ -22,6 +22,10 @@ bundles! {
     }
 }
 
+/// Zeros at most above the leading one of the square of a vector in full words: its longest component is at least half
+/// of what a word takes, and three squares are added.
+pub const SQUARE_ZEROS: u32 = 3;
+
 /// Shifts a vector to the left until its longest component fills its word, by `N - 2` places at most; the zero vector
 /// stays. Latency [`NORMALISED`](super::NORMALISED).
 pub fn vector_normaliser(at: &str, vector: Vector) -> Full {
@@ -34,7 +38,7 @@ pub fn vector_normaliser(at: &str, vector: Vector) -> Full {
             part.is_negative().select(!bits, bits)
         });
         net! { let magnitude = needed[0] | needed[1] | needed[2] | Bits::new(1, width - 1); }
-        let full = shifted(parts.map(Int::bits).to_vec(), Some(magnitude));
+        let full = shifted(parts.map(Int::bits).to_vec(), Some(magnitude), width - 2);
         Full {
             vector: Vector::of([0, 1, 2].map(|index| full.words[index].int())),
             places: full.places,
