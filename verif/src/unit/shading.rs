@@ -133,8 +133,8 @@ fn pixel(i: &[i64]) -> Pixel {
     }
 }
 
-/// Words are held while pixels are inside, so they are loaded first; then pixels with gaps, in whose materials some bits
-/// are inverted.
+/// Words are held while pixels are inside, so they are loaded first; then pixels with gaps, in whose materials some
+/// bits are inverted.
 fn words_then_pixels(
     subject: &Subject,
     clocks: usize,
