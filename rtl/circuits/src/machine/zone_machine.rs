@@ -135,11 +135,13 @@ fn shaded(seen: &Shown, machine: &ZoneMachine) -> Coloured {
         normal: shaded_normal(surface.normal).registered_when(seen.valid),
         flags: flags_late,
     };
+    // Words come long before the pixels of their pass, and their wires are the longest of the machine.
     let load = ShadingLoad {
         valid: load.shading,
         address: load.address,
         data: load.data.low(SHADING),
-    };
+    }
+    .registered();
     let (pixel, depth) = (point.pixel, point.depth);
     let shaded = machine.shading.shade("shading", point, load);
     let late = machine.shaded();
