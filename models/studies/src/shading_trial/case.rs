@@ -139,16 +139,23 @@ pub fn sequence(seed: u64, depth: u32, lights: usize, pixels: usize) -> (ShaderW
         words.perspective = true;
         words.view_shift = 0;
     }
+    if random.one_in(2) {
+        words.attenuation = Some(balanced(&words, &case.pixel, &mut random));
+    }
     let far = (1i64 << (depth - 1)) - 1;
     let mut pixel = |_| {
         let mut pixel = case.pixel;
-        if random.one_in(3) {
+        let kind = random.below(3);
+        if kind == 0 {
             pixel.x = random.below(4096) as u16;
             pixel.y = random.below(4096) as u16;
             pixel.depth = draw_depth(depth, &mut random);
             let ray = ray(&words, &pixel);
             pixel.normal = draw_normal(ray, &mut random).map(|v| v.round() as i16);
         } else {
+            if kind == 1 {
+                pixel.depth = draw_depth(depth, &mut random);
+            }
             let k = random.below(3) as usize;
             let step = random.between(-3, 3) << random.below(8);
             pixel.normal[k] = (i64::from(pixel.normal[k]) + step).clamp(-32768, 32767) as i16;
@@ -185,6 +192,15 @@ pub fn sequence(seed: u64, depth: u32, lights: usize, pixels: usize) -> (ShaderW
 
 fn bounded(value: i64) -> i32 {
     value.clamp(-(1 << 27), (1 << 27) - 1) as i32
+}
+
+/// The word of an attenuation that leaves half of the light at a pixel, or up to four octaves less or more.
+fn balanced(words: &ShaderWords, pixel: &Pixel, random: &mut Random) -> i32 {
+    let full = (1i64 << (words.depth - 1)) as f64;
+    let far = (full - 1.0 - pixel.depth as f64).max(1.0) / full;
+    let ray = ray(words, pixel);
+    let octaves = 31.0 + far.log2() - dot(ray, ray).log2() / 2.0 + 4.0 * random.signed();
+    (octaves * f64::from(1 << 22)) as i32
 }
 
 fn draw_depth(depth: u32, random: &mut Random) -> i64 {
