@@ -2,6 +2,7 @@
 
 use super::normalise::{NORMALISED, shifted};
 use super::segment_curve::{Curve, segment_curve};
+use super::vector::SQUARE_ZEROS;
 use imogene_hdl::{Bits, Int, Value, join, module, net};
 
 /// Latency of a logarithm.
@@ -26,12 +27,21 @@ const FALL: Curve = Curve {
     fraction: 18,
 };
 
-/// `log2(number)` in 28 bits, 20 of them after the point; 0 has none. The number has 20 bits at least, and above its
-/// leading one at most so many zeros.
+/// `log2(number)` in 28 bits, 20 of them after the point; 0 has none. The number has 20 bits at least.
 ///
 /// The octave by shifting to the leading one, the 19 bits behind it through a curve of 32 segments. Latency
 /// [`LOGARITHM`].
-pub fn logarithm(at: &str, number: Bits, zeros: u32) -> Int {
+pub fn logarithm(at: &str, number: Bits) -> Int {
+    logarithm_below(at, number, number.width() - 1)
+}
+
+/// The same of the square of a vector in full words.
+pub fn logarithm_of_square(at: &str, square: Bits) -> Int {
+    logarithm_below(at, square, SQUARE_ZEROS)
+}
+
+/// The same of a number with at most so many zeros above its leading one.
+fn logarithm_below(at: &str, number: Bits, zeros: u32) -> Int {
     module("logarithm", at, ("number", number), |number| {
         let width = number.width();
         let full = shifted(vec![number], None, zeros);

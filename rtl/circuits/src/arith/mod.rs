@@ -21,7 +21,8 @@ mod square_root_quadratic;
 mod vector;
 
 pub use logarithm::{
-    LOGARITHM, LOGARITHM_OF_SUM, POWER_OF_TWO, logarithm, logarithm_of_sum, power_of_two,
+    LOGARITHM, LOGARITHM_OF_SUM, POWER_OF_TWO, logarithm, logarithm_of_square, logarithm_of_sum,
+    power_of_two,
 };
 pub use network::Network;
 pub use normalise::NORMALISED;
@@ -35,7 +36,7 @@ pub use square_root_leading::square_root_leading;
 pub use square_root_linear::square_root_linear;
 pub use square_root_non_restoring::square_root_non_restoring;
 pub use square_root_quadratic::square_root_quadratic;
-pub use vector::{Full, SCALAR_PRODUCT, SQUARE_ZEROS, Vector, scalar_product, vector_normaliser};
+pub use vector::{Full, SCALAR_PRODUCT, Vector, scalar_product, vector_normaliser};
 
 /// What the radicand of every square root carries.
 const RADICAND: &str = "number to take the root of";

@@ -24,7 +24,7 @@ bundles! {
 
 /// Zeros at most above the leading one of the square of a vector in full words: its longest component is at least half
 /// of what a word takes, and three squares are added.
-pub const SQUARE_ZEROS: u32 = 3;
+pub(super) const SQUARE_ZEROS: u32 = 3;
 
 /// Shifts a vector to the left until its longest component fills its word, by `N - 2` places at most; the zero vector
 /// stays. Latency [`NORMALISED`](super::NORMALISED).

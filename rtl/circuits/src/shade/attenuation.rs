@@ -26,8 +26,8 @@ pub(super) fn attenuation(
         let (ray_log, ray_places) = ray;
         let wide = |number: Int| number.extend(SUM);
         let zero = Int::new(0, SUM);
-        let far_log = logarithm("logarithm", far, far.width() - 1)
-            .delayed_as("far_late", LOGARITHMS - 1 - LOGARITHM);
+        let far_log =
+            logarithm("logarithm", far).delayed_as("far_late", LOGARITHMS - 1 - LOGARITHM);
         net! {
             let twice_far = wide(far_log) + wide(far_log);
             let wide_offset = wide(fog.offset.slice(29, 1).int());

@@ -5,7 +5,7 @@ use super::clocks::{FACTORS, HIGHLIGHT, LOGARITHMS, LOSS, PRODUCTS};
 use super::sent_light::Factors;
 use super::sight::Sight;
 use crate::arith::{
-    PRODUCT, SQUARE_ZEROS, Vector, logarithm, power_of_two, product, scalar_product,
+    PRODUCT, Vector, logarithm, logarithm_of_square, power_of_two, product, scalar_product,
 };
 use imogene_hdl::{Bits, Int, Value, module, net, ports};
 
@@ -68,11 +68,12 @@ pub(super) fn light_factors(
         let specular_gate =
             specular_gate.delayed_as("specular_gate", FACTORS - 2 - PRODUCTS - PRODUCT);
         let wide = |number: Int| number.extend(SUM);
-        let log = |at, number: Bits, zeros| wide(logarithm(at, number, zeros));
-        let any = |at, number: Bits| log(at, number, number.width() - 1);
-        let light_log = log("light_logarithm", light_square.slice(35, 0), SQUARE_ZEROS);
-        let along_log = any("along_logarithm", kept_magnitude);
-        let cosine_log = any("cosine_logarithm", cosine.bits());
+        let light_log = wide(logarithm_of_square(
+            "light_logarithm",
+            light_square.slice(35, 0),
+        ));
+        let along_log = wide(logarithm("along_logarithm", kept_magnitude));
+        let cosine_log = wide(logarithm("cosine_logarithm", cosine.bits()));
         let (normal_log, ray_log) = (wide(sight.normal_log), wide(sight.ray_log));
         let most = Bits::new((1 << LOSS_BITS) - 1, LOSS_BITS);
         net! {

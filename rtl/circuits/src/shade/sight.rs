@@ -2,9 +2,7 @@
 
 use super::clocks::{LOGARITHMS, VECTORS};
 use super::{Eye, factor};
-use crate::arith::{
-    NORMALISED, SQUARE_ZEROS, Vector, logarithm, scalar_product, vector_normaliser,
-};
+use crate::arith::{NORMALISED, Vector, logarithm_of_square, scalar_product, vector_normaliser};
 use crate::object::Normal;
 use crate::raster::Pixel;
 use imogene_hdl::{Bits, Bundle, Int, Value, bundle, bundles, join, module, net};
@@ -77,8 +75,8 @@ pub(super) fn sight(at: &str, pixel: Pixel, normal: Normal, eye: Eye) -> (Sight,
             across: both.slice(34, 10).int(),
             square: normal_square.slice(31, 9).extend(25).int(),
             turned: Int::new(0, 38).less(both),
-            normal_log: logarithm("normal_logarithm", normal_square.low(32), SQUARE_ZEROS),
-            ray_log: logarithm("ray_logarithm", ray_square.low(36), SQUARE_ZEROS),
+            normal_log: logarithm_of_square("normal_logarithm", normal_square.low(32)),
+            ray_log: logarithm_of_square("ray_logarithm", ray_square.low(36)),
         };
         let places = full
             .places
